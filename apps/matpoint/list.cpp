@@ -1,0 +1,64 @@
+#include "components.hpp"
+#include "options.hpp"
+#include "verbs.hpp"
+
+#include "config/kinds.hpp"
+#include "config/nearest.hpp"
+
+#include <fmt/format.h>
+
+#include <iostream>
+
+namespace matpoint {
+namespace {
+
+void print(const Kind& kind, AllComponents& components) {
+    std::cout << kind.name << ": " << kind.doc << "\n";
+    const std::vector<std::string> types = components.types(kind.name);
+    if (types.empty()) std::cout << "  (none)\n";
+    for (const std::string& type : types) {
+        std::cout << fmt::format("  {:24}{}\n", type, components.find(kind.name, type)->doc());
+    }
+}
+
+Json to_json(const Kind& kind, AllComponents& components) {
+    Json all = Json::array();
+    for (const std::string& type : components.types(kind.name)) {
+        all.push_back({{"type", type}, {"doc", components.find(kind.name, type)->doc()}});
+    }
+    return all;
+}
+
+}  // namespace
+
+int list(const std::vector<std::string>& arguments) {
+    VerbOptions verb{.usage = "matpoint list [KIND] [--json]",
+                     .doc = "Lists the components there are, of one kind or of all.",
+                     .most_arguments = 1};
+    verb.options.add_options()("json", "for programs");
+    const auto values = parse(verb, arguments);
+    if (!values) return exit_done;
+
+    const std::vector<std::string> wanted = arguments_of(*values);
+    if (!wanted.empty() && !find_kind(wanted.front())) {
+        std::vector<std::string> names;
+        for (const Kind& kind : kinds()) names.push_back(kind.name);
+        throw UsageError(
+            fmt::format("unknown kind \"{}\"{}", wanted.front(), did_you_mean(wanted.front(), names)));
+    }
+    const bool json = values->count("json") > 0;
+    AllComponents components;
+    Json all = Json::object();
+    for (const Kind& kind : kinds()) {
+        if (!wanted.empty() && kind.name != wanted.front()) continue;
+        if (json) {
+            all[kind.name] = to_json(kind, components);
+        } else {
+            print(kind, components);
+        }
+    }
+    if (json) std::cout << all.dump(2) << "\n";
+    return components.exit_status();
+}
+
+}  // namespace matpoint

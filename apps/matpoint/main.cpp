@@ -1,0 +1,103 @@
+// matpoint: the command line. One file per verb; SCENE.md's exit statuses are decided here.
+
+#include "new_plugin.hpp"
+#include "options.hpp"
+#include "verbs.hpp"
+
+#include "config/diagnostics.hpp"
+#include "config/nearest.hpp"
+#include "registry/plugin_library.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <iostream>
+#include <new>
+
+namespace matpoint {
+namespace {
+
+struct NamedVerb {
+    std::string name, arguments, doc;
+    Verb* function;
+};
+
+const std::array<NamedVerb, 8> verbs{{
+    {"run", "SCENE", "run a scene", run},
+    {"restart", "CHECKPOINT", "go on from a checkpoint", restart},
+    {"validate", "SCENE...", "check scenes without solving; predict steps and memory", validate},
+    {"list", "[KIND]", "list the components there are", list},
+    {"describe", "TYPE", "describe a component: parameters, units, defaults, paper", describe},
+    {"schema", "", "print a JSON Schema of scenes, for editors", schema},
+    {"test", "PATH...", "run regression cases", test},
+    {"new_plugin", "KIND NAME", "write a plugin project that builds out of tree", new_plugin},
+}};
+
+void print_help(std::ostream& stream) {
+    stream << "Matpoint, a framework for the Material Point Method\n\nusage: matpoint VERB [ARGUMENT]...\n\n";
+    for (const NamedVerb& verb : verbs)
+        stream << fmt::format("  {:24}{}\n", verb.name + " " + verb.arguments, verb.doc);
+    stream << "\n`matpoint VERB --help` tells more; `matpoint --version` prints the version.\n"
+              "Exit status: 0 done; 1 broke down, a check failed or the run could not be finished;\n"
+              "2 bad input or usage; 3 a plugin or a resource of the machine is missing.\n"
+              "Plugins are looked for in the folders of MATPOINT_PLUGIN_PATH too.\n";
+}
+
+int call(const std::vector<std::string>& arguments) {
+    if (arguments.empty()) {
+        print_help(std::cerr);
+        return exit_bad_input;
+    }
+    const std::string& name = arguments.front();
+    if (name == "--help" || name == "-h") {
+        print_help(std::cout);
+        return exit_done;
+    }
+    if (name == "--version") {
+        std::cout << "matpoint " MATPOINT_VERSION "\n";
+        return exit_done;
+    }
+    const auto verb =
+        std::find_if(verbs.begin(), verbs.end(), [&](const NamedVerb& v) { return v.name == name; });
+    if (verb == verbs.end()) {
+        std::vector<std::string> names{"--help", "--version"};
+        for (const NamedVerb& v : verbs) names.push_back(v.name);
+        throw UsageError(fmt::format("unknown {} \"{}\"{}", name.starts_with('-') ? "option" : "verb", name,
+                                     did_you_mean(name, names)));
+    }
+    return verb->function({arguments.begin() + 1, arguments.end()});
+}
+
+int tell(int status, const std::string& text) {
+    std::cout.flush();
+    std::cerr << text << (text.ends_with('\n') ? "" : "\n");
+    return status;
+}
+
+}  // namespace
+}  // namespace matpoint
+
+int main(int count, char** given) {
+    using namespace matpoint;
+    const std::vector<std::string> arguments(given + 1, given + count);
+    const std::string who = arguments.empty() ? "matpoint: " : "matpoint " + arguments.front() + ": ";
+    try {
+        const int status = call(arguments);
+        std::cout.flush();
+        return std::cout ? status : tell(exit_missing, who + "standard output can't be written");
+    } catch (const UsageError& error) {
+        return tell(exit_bad_input, fmt::format("{}{} (see --help)", who, error.what()));
+    } catch (const InputError& error) {
+        return tell(exit_bad_input, error.what());
+    } catch (const PluginError& error) {
+        return tell(exit_missing, who + error.what());
+    } catch (const std::filesystem::filesystem_error& error) {
+        return tell(exit_missing, who + error.what());
+    } catch (const std::bad_alloc&) {
+        return tell(exit_missing, who + "not enough memory");
+    } catch (const std::exception& error) {
+        return tell(exit_failed, who + error.what());
+    }
+}

@@ -1,0 +1,48 @@
+#include "run_command.hpp"
+
+#include "config/diagnostics.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <iostream>
+
+namespace matpoint {
+
+void add_assignments(po::options_description& options) {
+    options.add_options()("set", po::value<std::vector<std::string>>()->composing()->value_name("/ptr=VALUE"),
+                          "replace a value of the scene, by JSON pointer; may be repeated");
+}
+
+void add_run_options(po::options_description& options) {
+    options.add_options()("output", po::value<std::string>()->value_name("DIR"), "folder for results");
+    add_assignments(options);
+    add_threads(options);
+    options.add_options()("quiet", "neither progress nor a closing table");
+}
+
+std::vector<std::string> assignments_of(const po::variables_map& values) {
+    if (values.count("set") == 0) return {};
+    return values["set"].as<std::vector<std::string>>();
+}
+
+void print_warnings(const Scene& scene) {
+    for (const Diagnostic& warning : scene.warnings) std::cerr << to_string(warning) << "\n";
+}
+
+int run_to_end(const Scene& scene, PluginCatalogue& catalogue, const po::variables_map& values,
+               const std::filesystem::path& default_output, std::optional<CheckpointData> resume) {
+    print_warnings(scene);
+    const bool quiet = values.count("quiet") > 0;
+    RunOptions options;
+    options.output =
+        values.count("output") > 0 ? values["output"].as<std::string>() : default_output.string();
+    options.progress = !quiet && isatty(STDERR_FILENO) == 1;
+    options.quiet = quiet;
+    options.resume = std::move(resume);
+    const RunResult result = run_scene(scene, catalogue, options);
+    if (result.status != RunStatus::completed) std::cerr << result.reason << "\n";
+    return result.exit_status();
+}
+
+}  // namespace matpoint

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "options.hpp"
+
+#include "config/scene.hpp"
+#include "registry/catalogue.hpp"
+#include "run/run.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace matpoint {
+
+/// --set, and what it was given.
+void add_assignments(po::options_description& options);
+std::vector<std::string> assignments_of(const po::variables_map& values);
+
+/// What `run` and `restart` share: --output, --set, --threads, --quiet.
+void add_run_options(po::options_description& options);
+
+/// Warnings of a scene, on stderr.
+void print_warnings(const Scene& scene);
+
+/// Runs, with progress if stderr is a terminal; says on stderr why a run did not complete. Returns
+/// the exit status.
+int run_to_end(const Scene& scene, PluginCatalogue& catalogue, const po::variables_map& values,
+               const std::filesystem::path& default_output, std::optional<CheckpointData> resume = {});
+
+}  // namespace matpoint

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace matpoint {
+
+/// A file under templates/, embedded at build time: "material/NAME.cpp" and its text.
+struct TemplateFile {
+    std::string_view path, text;
+};
+std::span<const TemplateFile> template_files();
+
+}  // namespace matpoint

@@ -1,0 +1,114 @@
+#include "options.hpp"
+#include "run_command.hpp"
+#include "verbs.hpp"
+
+#include "verify/load_scene.hpp"
+
+#include <matpoint/particles.hpp>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <iostream>
+
+namespace matpoint {
+namespace {
+
+/// What a particle field is there for.
+std::string reason_for(const std::string& name) {
+    const auto field = field_from_name(name);
+    if (!field) return "a component's own state";
+    switch (*field) {
+        case Field::position:
+        case Field::velocity:
+        case Field::mass:
+        case Field::volume:
+        case Field::stress:
+            return "always";
+        case Field::deformation_gradient:
+            return "a material or a domain that follows the deformation";
+        case Field::velocity_gradient:
+            return "an output of it";
+        case Field::affine_velocity:
+            return "an affine transfer";
+        case Field::half_size:
+            return "the shape function's particle domain";
+        case Field::initial_half_size:
+            return "a particle domain that follows the deformation";
+        case Field::initial_position:
+            return "displacements: outputs, checks, exact solutions";
+        case Field::id:
+            return "outputs and checks in the order of seeding";
+    }
+    return "";
+}
+
+std::string memory_text(double bytes) {
+    return bytes < 1e6 ? fmt::format("{:.0f} kB", bytes / 1e3) : fmt::format("{:.1f} MB", bytes / 1e6);
+}
+
+void print_body(const Simulation& simulation, const std::string& body) {
+    const std::vector<std::string> carried = simulation.particle_fields();
+    const int real = simulation.space().single ? 4 : 8;
+    std::vector<std::string> lines;
+    int total = 0;
+    for (const std::string& field : simulation.fields(body)) {
+        if (std::find(carried.begin(), carried.end(), field) == carried.end())
+            continue;  // computed when asked for
+        const int bytes = simulation.components(body, field) * (field == "id" ? 4 : real);
+        total += bytes;
+        lines.push_back(fmt::format("      {:4} {:24}{}\n", bytes, field, reason_for(field)));
+    }
+    std::cout << fmt::format("  body {}: {} particles of {} bytes\n{}", body, simulation.particle_count(body),
+                             total, fmt::join(lines, ""));
+}
+
+void validate_file(const std::filesystem::path& file, const std::vector<std::string>& assignments) {
+    PluginCatalogue catalogue;
+    const Scene scene = load_scene(file, assignments, catalogue);
+    const auto simulation = Simulation::create(scene, catalogue);
+    print_warnings(scene);
+
+    const double dt = simulation->next_time_step();
+    std::cout << fmt::format("{}: ok\n", file.string());
+    std::cout << fmt::format("  time step {:.4g} s, about {} steps\n", dt, simulation->estimated_steps());
+    std::cout << fmt::format("  {} particles; memory {}\n", simulation->particle_count(),
+                             memory_text(static_cast<double>(simulation->memory_bytes())));
+    for (const std::string& body : simulation->bodies()) print_body(*simulation, body);
+    std::cout << fmt::format("  node fields: {}\n", fmt::join(simulation->node_fields(), ", "));
+    std::vector<std::string> plugins;
+    for (const PluginLibrary& plugin : catalogue.opened()) plugins.push_back(plugin.name());
+    std::cout << fmt::format("  plugins: {}\n", fmt::join(plugins, ", "));
+}
+
+}  // namespace
+
+int validate(const std::vector<std::string>& arguments) {
+    VerbOptions verb{
+        .usage = "matpoint validate SCENE... [--set /ptr=VALUE]...",
+        .doc =
+            "Checks scenes without solving them, and predicts time step, steps, particles and memory.\n"
+            "Writes no files.",
+        .least_arguments = 1,
+        .most_arguments = -1};
+    add_assignments(verb.options);
+    const auto values = parse(verb, arguments);
+    if (!values) return exit_done;
+
+    int status = exit_done;
+    for (const std::string& file : arguments_of(*values)) {
+        try {
+            validate_file(file, assignments_of(*values));
+        } catch (const InputError& error) {
+            std::cerr << error.what() << "\n";
+            status = std::max(status, exit_bad_input);
+        } catch (const PluginError& error) {
+            std::cerr << file << ": " << error.what() << "\n";
+            status = std::max(status, exit_missing);
+        }
+    }
+    return status;
+}
+
+}  // namespace matpoint

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <matpoint/registry.hpp>
+#include <matpoint/space.hpp>
+
+#include <array>
+
+namespace matpoint {
+
+/// A prescribed velocity on faces of the grid or in a region (the parameter `on`, which the kernel
+/// turns into nodes). On a face it is a wall: ghost nodes mirror the nodes within, components that
+/// are prescribed odd about the prescribed velocity, the others even.
+template <class S>
+class BoundaryCondition : public Component {
+  public:
+    using Space = S;
+    using Vector = typename S::Vector;
+
+    /// Which components of velocity are prescribed at nodes of a face normal to `axis`; -1: a region.
+    virtual std::array<bool, 3> prescribes(int axis) const = 0;
+    /// The velocity, m/s; components that are not prescribed are ignored. Time in s.
+    virtual Vector velocity(const Vector&, double) const { return Vector::Zero(); }
+};
+
+}  // namespace matpoint

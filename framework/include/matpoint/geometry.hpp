@@ -1,0 +1,40 @@
+#pragma once
+
+#include <matpoint/registry.hpp>
+
+#include <Eigen/Core>
+
+#include <span>
+#include <vector>
+
+namespace matpoint {
+
+/// Particles given one by one.
+struct PointCloud {
+    struct Point {
+        Eigen::Vector3d position;
+        double volume;             ///< m^3 (m^2 in plane strain, m in 1D)
+        Eigen::Vector3d velocity;  ///< m/s, added to the body's
+    };
+    std::vector<Point> points;
+};
+
+/// A region of space; coordinates that the scene's space lacks are zero.
+class Geometry : public Component {
+  public:
+    struct Bounds {
+        Eigen::Vector3d min, max;
+    };
+    virtual Bounds bounds() const = 0;
+    virtual bool contains(const Eigen::Vector3d& point) const = 0;
+    /// The same for many points; geometries that can do better than one by one override it.
+    virtual std::vector<char> contains(std::span<const Eigen::Vector3d> points) const {
+        std::vector<char> inside(points.size());
+        for (std::size_t i = 0; i < points.size(); ++i) inside[i] = contains(points[i]) ? 1 : 0;
+        return inside;
+    }
+    /// Set if the geometry is a list of particles rather than a region to fill.
+    virtual const PointCloud* points() const { return nullptr; }
+};
+
+}  // namespace matpoint

@@ -1,0 +1,132 @@
+#pragma once
+
+#include <matpoint/particles.hpp>
+#include <matpoint/registry.hpp>
+
+#include <array>
+#include <vector>
+
+namespace matpoint {
+
+/// Node fields. The last two exist only if the integrator or a load asks.
+enum class NodeField {
+    mass,               ///< kg
+    velocity,           ///< momentum while it is being summed, then velocity, m/s
+    force,              ///< internal force, then the sum of all forces, N
+    acceleration,       ///< m/s^2
+    remapped_velocity,  ///< velocity projected anew from the updated particles, m/s
+    external_force,     ///< N
+};
+inline constexpr int node_fields = static_cast<int>(NodeField::external_force) + 1;
+std::string_view node_field_name(NodeField field);
+
+/// A rectangular lattice of cells whose nodes exist only in blocks near particles.
+///
+/// Nodes have lattice coordinates from 0 to cells, and one layer of ghosts at -1 and cells + 1 that
+/// holds what stencils write past the grid's faces (the kernel folds it back).
+template <class S>
+class Patch {
+  public:
+    using Real = typename S::Real;
+    using Vector = typename S::Vector;
+    using Coordinates = std::array<int, S::dimension>;
+    /// Nodes along a block's edge.
+    static constexpr int block_edge = 4;
+    static constexpr int block_nodes = S::dimension == 1 ? 4 : S::dimension == 2 ? 16 : 64;
+
+    /// `min`: lower corner, m; `cell_size` h per axis, m; `cells` per axis.
+    Patch(const std::array<double, 3>& min, const std::array<double, 3>& cell_size, const Coordinates& cells);
+
+    const Vector& min() const { return min_; }
+    const Vector& cell_size() const { return cell_size_; }
+    const Vector& inverse_cell_size() const { return inverse_cell_size_; }
+    const Coordinates& cells() const { return cells_; }
+    Vector node_position(const Coordinates& node) const {
+        Vector x;
+        for (int a = 0; a < S::dimension; ++a) x[a] = min_[a] + static_cast<Real>(node[static_cast<std::size_t>(a)]) * cell_size_[a];
+        return x;
+    }
+
+    /// Blocks per axis (ghosts included), and the number of a block in the full lattice of blocks.
+    const Coordinates& blocks() const { return blocks_; }
+    static int block_of(int node) { return (node + 1) >> 2; }
+    int block_number(const Coordinates& block) const {
+        int number = 0;
+        for (int a = S::dimension - 1; a >= 0; --a) number = number * blocks_[static_cast<std::size_t>(a)] + block[static_cast<std::size_t>(a)];
+        return number;
+    }
+    Coordinates block_coordinates(int number) const {
+        Coordinates block{};
+        for (std::size_t a = 0; a < S::dimension; ++a) {
+            block[a] = number % blocks_[a];
+            number /= blocks_[a];
+        }
+        return block;
+    }
+
+    /// Place of a node in the columns; -1 if its block does not exist.
+    int node_index(const Coordinates& node) const {
+        int number = 0, local = 0;
+        for (int a = S::dimension - 1; a >= 0; --a) {
+            const int stored = node[static_cast<std::size_t>(a)] + 1;
+            number = number * blocks_[static_cast<std::size_t>(a)] + (stored >> 2);
+            local = local * block_edge + (stored & 3);
+        }
+        const int slot = slots_[static_cast<std::size_t>(number)];
+        return slot < 0 ? -1 : slot * block_nodes + local;
+    }
+    /// Places of the width^dimension nodes from `base` on, first axis fastest. All must exist.
+    template <int Width>
+    void stencil(const Coordinates& base, int* indices) const {
+        int k = 0;
+        Coordinates node = base;
+        const int last_y = S::dimension > 1 ? Width : 1, last_z = S::dimension > 2 ? Width : 1;
+        for (int z = 0; z < last_z; ++z) {
+            if constexpr (S::dimension > 2) node[2] = base[2] + z;
+            for (int y = 0; y < last_y; ++y) {
+                if constexpr (S::dimension > 1) node[1] = base[1] + y;
+                for (int x = 0; x < Width; ++x) {
+                    node[0] = base[0] + x;
+                    indices[k++] = node_index(node);
+                }
+            }
+        }
+    }
+
+    /// Makes exactly these blocks exist (numbers, ascending), all fields zero.
+    void set_blocks(const std::vector<int>& numbers);
+    const std::vector<int>& existing_blocks() const { return existing_; }
+    /// Lattice coordinates of the node at a place in the columns (ghosts and padding included).
+    Coordinates node_coordinates(int index) const;
+    /// Whether a node is on or within the grid's faces (not a ghost or padding).
+    bool inside(const Coordinates& node) const {
+        for (std::size_t a = 0; a < S::dimension; ++a)
+            if (node[a] < 0 || node[a] > cells_[a]) return false;
+        return true;
+    }
+
+    void require(NodeField field) { required_[static_cast<std::size_t>(field)] = true; }
+    bool has(NodeField field) const { return required_[static_cast<std::size_t>(field)]; }
+    static constexpr int components(NodeField field) { return field == NodeField::mass ? 1 : S::dimension; }
+    Index node_count() const { return static_cast<Index>(existing_.size()) * block_nodes; }
+    Real* column(NodeField field, int component = 0) { return columns_[static_cast<std::size_t>(field)][static_cast<std::size_t>(component)].data(); }
+    const Real* column(NodeField field, int component = 0) const { return columns_[static_cast<std::size_t>(field)][static_cast<std::size_t>(component)].data(); }
+    void clear(NodeField field);
+    std::size_t bytes() const;
+
+  private:
+    Vector min_, cell_size_, inverse_cell_size_;
+    Coordinates cells_, blocks_;
+    std::vector<int> slots_, existing_;
+    std::array<bool, node_fields> required_{};
+    std::array<std::array<std::vector<Real>, S::dimension>, node_fields> columns_;
+};
+
+/// A background grid: today one patch; levels and distribution are further types of this kind.
+template <class S>
+class Grid : public Component {
+  public:
+    virtual Patch<S>& patch() = 0;
+};
+
+}  // namespace matpoint

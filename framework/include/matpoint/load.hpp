@@ -1,0 +1,31 @@
+#pragma once
+
+#include <matpoint/shape_function.hpp>
+
+namespace matpoint {
+
+/// What a load sees of a step: it adds forces to NodeField::external_force.
+template <class S>
+struct LoadContext {
+    double time;  ///< at the start of the step, s
+    Patch<S>& patch;
+    std::span<Particles<S>> bodies;
+    const ShapeFunction<S>& shape;
+};
+
+/// A force that acts from outside: on the nodes' mass, on particles, on a surface.
+template <class S>
+class Load : public Component {
+  public:
+    using Space = S;
+    using Real = typename S::Real;
+    using Vector = typename S::Vector;
+
+    /// Asks for fields of a body's particles, before they are seeded.
+    virtual void declare(Particles<S>&) {}
+    /// Called once after seeding (not at a restart), to mark the particles it acts on.
+    virtual void start(const Patch<S>&, std::span<Particles<S>>) {}
+    virtual void apply(LoadContext<S>& context) const = 0;
+};
+
+}  // namespace matpoint

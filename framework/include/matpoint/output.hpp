@@ -1,0 +1,61 @@
+#pragma once
+
+#include <matpoint/registry.hpp>
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace matpoint {
+
+/// Energies of the whole scene, J.
+struct Energies {
+    double kinetic = 0;
+    double strain = 0;    ///< work done by the stress since the start (stored and dissipated)
+    double external = 0;  ///< work done by loads and moving boundaries since the start
+    double total() const { return kinetic + strain - external; }
+};
+
+/// What outputs and checks may see of a run, whatever its space.
+class RunView {
+  public:
+    virtual std::string title() const = 0;
+    virtual double time() const = 0;  ///< s
+    virtual long step() const = 0;
+    virtual double time_step() const = 0;
+    virtual SpaceId space() const = 0;
+
+    virtual std::vector<std::string> bodies() const = 0;
+    virtual std::size_t particle_count(const std::string& body) const = 0;
+    /// Names of the fields that particles of the body carry, and those computed when asked for:
+    /// "displacement", "density", "pressure", "von_mises_stress", "kinetic_energy".
+    virtual std::vector<std::string> fields(const std::string& body) const = 0;
+    virtual int components(const std::string& body, const std::string& field) const = 0;
+    /// A component of a field for all particles of a body in the order of their seeding (by id).
+    virtual std::vector<double> column(const std::string& body, const std::string& field, int component) const = 0;
+
+    virtual Energies energies() const = 0;
+    virtual double mass() const = 0;                             ///< kg
+    virtual std::array<double, 3> momentum() const = 0;          ///< kg m/s
+    /// Force of a named boundary condition on the bodies in the last step, N.
+    virtual std::array<double, 3> reaction(const std::string& boundary_condition) const = 0;
+
+  protected:
+    ~RunView() = default;
+};
+
+/// Something that observes a run and writes files. The kernel calls write() when it is due.
+class Output : public Component {
+  public:
+    /// Fields beyond the ones that the scene carries anyway, as names of RunView::fields.
+    virtual std::vector<std::string> required_fields() const { return {}; }
+    /// Body whose fields are required; empty for all.
+    virtual std::string body() const { return {}; }
+    /// Before the first step. `resumed_at` is the time (s) of the checkpoint that is being continued,
+    /// below zero for a fresh run: what was written after it is dropped, what was before is kept.
+    virtual void open(const RunView& run, const std::filesystem::path& folder, double resumed_at) = 0;
+    virtual void write(const RunView& run) = 0;
+};
+
+}  // namespace matpoint

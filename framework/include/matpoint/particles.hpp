@@ -1,0 +1,210 @@
+#pragma once
+
+#include <matpoint/space.hpp>
+#include <matpoint/tensor.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace matpoint {
+
+using Index = std::ptrdiff_t;
+
+/// Particle fields that the kernel knows. The first five always exist, the others when a component
+/// of the scene asks for them.
+enum class Field {
+    position,              ///< x, m; one component per dimension
+    velocity,              ///< v, m/s
+    mass,                  ///< m, kg (of the whole ring when axisymmetric; per unit width in 1D and plane strain)
+    volume,                ///< V, m^3 (likewise)
+    stress,                ///< Cauchy stress, Pa; components as Space::stress_size says
+    deformation_gradient,  ///< F; components as Space::deformation_size says
+    velocity_gradient,     ///< L = dv/dx of the last stress update, 1/s; in-plane components by column
+    affine_velocity,       ///< C of the affine transfer, 1/s; likewise
+    half_size,             ///< half-lengths of the particle's domain at the start of the step, m
+    initial_half_size,     ///< the same at the start of the run
+    initial_position,      ///< X, m
+    id,                    ///< number given at seeding, from 0 in each body
+};
+inline constexpr int known_fields = static_cast<int>(Field::id) + 1;
+
+std::string_view field_name(Field field);
+std::optional<Field> field_from_name(std::string_view name);
+
+/// A material's own variable, one number a particle.
+struct StateVariable {
+    std::string name;    ///< for outputs, "plastic_strain"
+    double initial = 0;
+    std::string unit{};
+};
+
+/// The particles of one body: a column of numbers per component of every field that somebody asked
+/// for. The kernel keeps them sorted by the block of the grid that they are in.
+template <class S>
+class Particles {
+  public:
+    using Real = typename S::Real;
+
+    explicit Particles(std::string body);
+
+    const std::string& body() const { return body_; }
+    Index size() const { return size_; }
+
+    /// Asks for a field (before particles exist). Asking twice is the same as asking once.
+    void require(Field field);
+    /// Adds a field of a component's own, by a name no other component uses; returns its slot.
+    int require(const std::string& name, int components, double initial = 0);
+    bool has(Field field) const { return field == Field::id ? has_ids_ : slots_[static_cast<std::size_t>(field)] >= 0; }
+    int slot(Field field) const { return slots_[static_cast<std::size_t>(field)]; }
+    int slot(std::string_view name) const;  ///< -1 if there is no such field
+    int components(int slot) const { return fields_[static_cast<std::size_t>(slot)].components; }
+    const std::string& name(int slot) const { return fields_[static_cast<std::size_t>(slot)].name; }
+    int field_count() const { return static_cast<int>(fields_.size()); }
+
+    Real* column(int slot, int component) {
+        return columns_[static_cast<std::size_t>(fields_[static_cast<std::size_t>(slot)].first + component)].data();
+    }
+    const Real* column(int slot, int component) const {
+        return columns_[static_cast<std::size_t>(fields_[static_cast<std::size_t>(slot)].first + component)].data();
+    }
+    Real* column(Field field, int component = 0) { return column(slot(field), component); }
+    const Real* column(Field field, int component = 0) const { return column(slot(field), component); }
+    /// Numbers given at seeding; empty unless Field::id was asked for.
+    std::vector<std::uint32_t>& ids() { return ids_; }
+    const std::vector<std::uint32_t>& ids() const { return ids_; }
+
+    typename S::Vector position(Index p) const { return vector(Field::position, p); }
+    typename S::Vector velocity(Index p) const { return vector(Field::velocity, p); }
+    typename S::Vector vector(Field field, Index p) const {
+        typename S::Vector v;
+        for (int a = 0; a < S::dimension; ++a) v[a] = column(field, a)[p];
+        return v;
+    }
+
+    /// All columns get `n` entries; new ones hold the field's initial value (identity for F).
+    void resize(Index n);
+    /// Puts particle order[k] at place k. `order` may be shorter than size(): the rest is dropped.
+    void permute(const std::vector<Index>& order);
+    std::size_t bytes_per_particle() const;
+
+  private:
+    struct FieldInfo {
+        std::string name;
+        int components;
+        int first;
+        std::vector<double> initial;
+    };
+    int add(std::string name, std::vector<double> initial);
+
+    std::string body_;
+    Index size_ = 0;
+    std::vector<FieldInfo> fields_;
+    std::array<int, known_fields> slots_;
+    std::vector<std::vector<Real>> columns_;
+    std::vector<Real> spare_;
+    std::vector<std::uint32_t> ids_;
+    bool has_ids_ = false;
+};
+
+/// Most particles in a batch: its columns stay in the first-level cache.
+inline constexpr int batch_size = 64;
+
+/// What was read from the nodes for the particles of one batch; [component][particle of the batch].
+template <class S>
+struct Gathered {
+    using Real = typename S::Real;
+    template <int N>
+    using Columns = std::array<std::array<Real, batch_size>, static_cast<std::size_t>(N)>;
+
+    Columns<S::dimension> velocity;                   ///< sum S v, m/s
+    Columns<S::dimension> acceleration;               ///< sum S a, m/s^2
+    Columns<S::deformation_size> velocity_gradient;   ///< sum v (x) grad S, by column, then v_r / r; 1/s
+    Columns<S::dimension * S::dimension> affine;      ///< sum S v (x) (x_i - x_p) D^-1, by column; 1/s
+};
+
+/// Consecutive particles of one body, handed to a component in one virtual call.
+template <class S>
+class ParticleBatch {
+  public:
+    using Real = typename S::Real;
+
+    ParticleBatch(Particles<S>& particles, Index begin, Index end, const Gathered<S>& gathered, int first_state)
+        : particles_(&particles), begin_(begin), end_(end), gathered_(&gathered), first_state_(first_state) {}
+
+    Index begin() const { return begin_; }
+    Index end() const { return end_; }
+    Particles<S>& particles() const { return *particles_; }
+    const Gathered<S>& gathered() const { return *gathered_; }
+
+    Real mass(Index p) const { return particles_->column(Field::mass)[p]; }
+    Real volume(Index p) const { return particles_->column(Field::volume)[p]; }
+    Real density(Index p) const { return mass(p) / volume(p); }
+
+    /// F at the end of the step (the material must ask for it: Material::uses_deformation_gradient).
+    Tensor<S> deformation_gradient(Index p) const { return load_deformation(*particles_, p); }
+    /// L of the step.
+    Tensor<S> velocity_gradient(Index p) const {
+        Tensor<S> t;
+        const auto i = static_cast<std::size_t>(p - begin_);
+        for (int c = 0; c < S::dimension * S::dimension; ++c) t.plane.data()[c] = gathered_->velocity_gradient[static_cast<std::size_t>(c)][i];
+        if constexpr (S::axisymmetric) t.normal = gathered_->velocity_gradient[S::dimension * S::dimension][i];
+        return t;
+    }
+    Tensor<S> stress(Index p) const { return load_stress(*particles_, p); }
+    void set_stress(Index p, const Tensor<S>& t) const { store_stress(*particles_, p, t); }
+    /// The k-th of Material::state(), at particle p.
+    Real& state(int k, Index p) const { return particles_->column(first_state_ + k, 0)[p]; }
+
+    static Tensor<S> load_deformation(const Particles<S>& particles, Index p) {
+        Tensor<S> t;
+        for (int c = 0; c < S::dimension * S::dimension; ++c) t.plane.data()[c] = particles.column(Field::deformation_gradient, c)[p];
+        if constexpr (S::axisymmetric) t.normal = particles.column(Field::deformation_gradient, S::dimension * S::dimension)[p];
+        else if constexpr (S::has_normal) t.normal = Real(1);
+        return t;
+    }
+    static void store_deformation(Particles<S>& particles, Index p, const Tensor<S>& t) {
+        for (int c = 0; c < S::dimension * S::dimension; ++c) particles.column(Field::deformation_gradient, c)[p] = t.plane.data()[c];
+        if constexpr (S::axisymmetric) particles.column(Field::deformation_gradient, S::dimension * S::dimension)[p] = t.normal;
+    }
+    static Tensor<S> load_stress(const Particles<S>& particles, Index p) {
+        const auto s = [&](int c) { return particles.column(Field::stress, c)[p]; };
+        Tensor<S> t;
+        if constexpr (S::dimension == 1) {
+            t.plane << s(0);
+        } else if constexpr (S::dimension == 2) {
+            t.plane << s(0), s(3), s(3), s(1);
+            t.normal = s(2);
+        } else {
+            t.plane << s(0), s(3), s(5), s(3), s(1), s(4), s(5), s(4), s(2);
+        }
+        return t;
+    }
+    static void store_stress(Particles<S>& particles, Index p, const Tensor<S>& t) {
+        const auto set = [&](int c, Real value) { particles.column(Field::stress, c)[p] = value; };
+        set(0, t.plane(0, 0));
+        if constexpr (S::dimension == 2) {
+            set(1, t.plane(1, 1));
+            set(2, t.normal);
+            set(3, t.plane(0, 1));
+        } else if constexpr (S::dimension == 3) {
+            set(1, t.plane(1, 1));
+            set(2, t.plane(2, 2));
+            set(3, t.plane(0, 1));
+            set(4, t.plane(1, 2));
+            set(5, t.plane(0, 2));
+        }
+    }
+
+  private:
+    Particles<S>* particles_;
+    Index begin_, end_;
+    const Gathered<S>* gathered_;
+    int first_state_;
+};
+
+}  // namespace matpoint

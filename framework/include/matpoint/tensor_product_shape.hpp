@@ -1,0 +1,486 @@
+#pragma once
+
+#include <matpoint/pack.hpp>
+#include <matpoint/shape_function.hpp>
+
+#include <algorithm>
+
+namespace matpoint {
+
+/// The whole of a shape function whose weights are products over the axes, from a few lines:
+///
+///     struct Kernel {
+///         static constexpr int width = 2;           // nodes that a particle reaches along an axis
+///         static constexpr bool sized = false;      // whether it reads Field::half_size
+///         template <class Real>                     // first of these nodes; xi = (x - min) / h
+///         static int base(Real xi);
+///         template <class T>                        // for numbers and for Packs; s = xi - base, l / h
+///         static void evaluate(T s, T half_size, T* weights, T* derivatives);  // per cell
+///     };
+///
+/// A particle within the grid must stay within one node of it: base >= -1 and
+/// base + width <= cells + 2. Weights are recomputed whenever they are needed, which is cheaper than
+/// to load them. The loops treat runs of particles with the same stencil, one particle a lane; nodes
+/// are read, summed over lanes and written once a run.
+template <class S, class Kernel>
+class TensorProductShape : public ShapeFunction<S> {
+  public:
+    using typename ShapeFunction<S>::Real;
+    using typename ShapeFunction<S>::Vector;
+    using typename ShapeFunction<S>::Coordinates;
+    using typename ShapeFunction<S>::Stencil;
+
+    void declare(Particles<S>& particles) const override {
+        if constexpr (Kernel::sized) particles.require(Field::half_size);
+    }
+    int width() const override { return W; }
+
+    void base_nodes(const Patch<S>& patch, const Particles<S>& particles, Index begin, Index end,
+                    Coordinates* out) const override {
+        Bases bases;
+        for (Index first = begin; first < end; first += batch_size) {
+            const int count = static_cast<int>(std::min<Index>(batch_size, end - first));
+            find_bases(patch, particles, first, count, bases);
+            for (int i = 0; i < count; ++i) *out++ = base_of(bases, i);
+        }
+    }
+
+    void scatter(Patch<S>& patch, const Particles<S>& particles, Index begin, Index end,
+                 const Scatter& what) const override {
+        for (Index p = begin; p < end;)
+            p = visit_runs(patch, particles, p, end, [&](Index first, int count, const Coordinates& base) {
+                scatter_run(patch, particles, first, count, base, what);
+            });
+    }
+
+    void gather(const Patch<S>& patch, const Particles<S>& particles, Index begin, Index end, const Gather& what,
+                GatherSink<S>& sink) const override {
+        Gathered<S> gathered;
+        for (Index p = begin; p < end;) {
+            const auto visit = [&](Index first, int count, const Coordinates& base) {
+                gather_run(patch, particles, first, count, base, what, gathered, static_cast<int>(first - p));
+            };
+            const Index next = visit_runs(patch, particles, p, end, visit);
+            sink.receive(p, static_cast<int>(next - p), gathered);
+            p = next;
+        }
+    }
+
+    void spread(Patch<S>& patch, std::span<const PointSource<S>> sources, NodeField field) const override {
+        int nodes[N];
+        Axes<Real> weights, derivatives;
+        for (const PointSource<S>& source : sources) {
+            patch.template stencil<W>(evaluate_at(patch, source.position, source.half_size, weights, derivatives),
+                                      nodes);
+            for (int k = 0; k < N; ++k) {
+                const Real weight = weights[0][k % W] * row_product(weights, weights, 0, k / W);
+                for (int c = 0; c < D; ++c) patch.column(field, c)[nodes[k]] += weight * source.value[c];
+            }
+        }
+    }
+
+    Stencil stencil(const Patch<S>& patch, const Vector& position, const Vector& half_size) const override {
+        Axes<Real> weights, derivatives;
+        const Coordinates base = evaluate_at(patch, position, half_size, weights, derivatives);
+        Stencil stencil;
+        for (int k = 0; k < N; ++k) {
+            Coordinates node = base;
+            for (int a = 0, rest = k; a < D; ++a, rest /= W) node[a] += rest % W;
+            stencil.nodes.push_back(node);
+            stencil.weights.push_back(weights[0][k % W] * row_product(weights, weights, 0, k / W));
+            Vector gradient;
+            for (int a = 0; a < D; ++a)
+                gradient[a] = (a == 0 ? derivatives : weights)[0][k % W] * row_product(weights, derivatives, a, k / W);
+            stencil.gradients.push_back(gradient);
+        }
+        return stencil;
+    }
+
+  private:
+    static constexpr int D = S::dimension;
+    static constexpr int W = Kernel::width;
+    /// Nodes of a stencil: rows along the first axis.
+    static constexpr int rows = D == 1 ? 1 : D == 2 ? W : W * W;
+    static constexpr int N = rows * W;
+
+    using Lanes = Pack<Real>;
+    /// Most packs in a run.
+    static constexpr int max_packs = batch_size / Lanes::lanes;
+
+    /// One number for each node along each axis.
+    template <class T>
+    using Axes = std::array<std::array<T, W>, D>;
+    using Bases = std::array<std::array<int, batch_size>, D>;
+    template <int C>
+    using Columns = std::array<Real*, C>;
+    /// Values of C components at the nodes of a stencil.
+    template <int C>
+    using Nodal = std::array<std::array<Real, N>, C>;
+    using LaneVector = std::array<Lanes, D>;
+    using LaneMatrix = std::array<LaneVector, D>;
+
+    /// Particles of a run that are treated at once.
+    struct Slice {
+        Index first;
+        int count;     ///< lanes in use; the others repeat the first particle
+        bool readable; ///< whether a whole Pack can be read from the columns
+
+        Lanes load(const Real* column) const {
+            Lanes a;
+            if (readable) {
+                a = Lanes::load(column + first);
+            } else {
+                for (int i = 0; i < Lanes::lanes; ++i) a.set(i, column[first + std::min(i, count - 1)]);
+            }
+            return head(a, count, Lanes(a[0]));
+        }
+        /// 0 in lanes that are not in use.
+        Lanes load_or_zero(const Real* column) const { return head(load(column), count, Lanes(0)); }
+    };
+
+    struct Weights {
+        Axes<Lanes> value, derivative;  ///< derivatives in 1/m
+        LaneVector s;                   ///< position in cells from the stencil's first node
+    };
+
+    static void find_bases(const Patch<S>& patch, const Particles<S>& particles, Index begin, int count, Bases& bases) {
+        for (int a = 0; a < D; ++a) {
+            const Real* x = particles.column(Field::position, a) + begin;
+            const Real min = patch.min()[a], scale = patch.inverse_cell_size()[a];
+            const int last = patch.cells()[a] + 2 - W;
+            for (int i = 0; i < count; ++i)
+                bases[a][i] = std::min(std::max(Kernel::base((x[i] - min) * scale), -1), last);
+        }
+    }
+    static Coordinates base_of(const Bases& bases, int i) {
+        Coordinates base;
+        for (int a = 0; a < D; ++a) base[a] = bases[a][i];
+        return base;
+    }
+
+    /// Calls visit(first, count, base) for each run of particles with the same stencil, from `begin`
+    /// to the last one that ends within a batch; returns where the next begins.
+    template <class Visit>
+    static Index visit_runs(const Patch<S>& patch, const Particles<S>& particles, Index begin, Index end,
+                            const Visit& visit) {
+        const int count = static_cast<int>(std::min<Index>(batch_size, end - begin));
+        Bases bases;
+        find_bases(patch, particles, begin, count, bases);
+        int first = 0;
+        while (first < count) {
+            const Coordinates base = base_of(bases, first);
+            int last = first + 1;
+            while (last < count && base_of(bases, last) == base) ++last;
+            // It may go on past the batch: the next one has it whole.
+            if (last == count && first > 0 && begin + count < end) break;
+            visit(begin + first, last - first, base);
+            first = last;
+        }
+        return begin + first;
+    }
+
+    static Slice slice(const Particles<S>& particles, Index first, int count, int k) {
+        const Index begin = first + k * Lanes::lanes;
+        return {begin, std::min(Lanes::lanes, count - k * Lanes::lanes), begin + Lanes::lanes <= particles.size()};
+    }
+
+    static void weigh(const Patch<S>& patch, const Particles<S>& particles, const Slice& slice, const Coordinates& base,
+                      Weights& weights) {
+        for (int a = 0; a < D; ++a) {
+            const Lanes scale(patch.inverse_cell_size()[a]);
+            const Lanes xi = (slice.load(particles.column(Field::position, a)) - Lanes(patch.min()[a])) * scale;
+            Lanes half_size(0);
+            if constexpr (Kernel::sized) half_size = slice.load(particles.column(Field::half_size, a)) * scale;
+            weights.s[a] = xi - Lanes(base[a]);
+            Kernel::evaluate(weights.s[a], half_size, weights.value[a].data(), weights.derivative[a].data());
+            for (Lanes& derivative : weights.derivative[a]) derivative *= scale;
+        }
+    }
+
+    static Coordinates evaluate_at(const Patch<S>& patch, const Vector& position, const Vector& half_size,
+                                   Axes<Real>& weights, Axes<Real>& derivatives) {
+        Coordinates base;
+        for (int a = 0; a < D; ++a) {
+            const Real scale = patch.inverse_cell_size()[a], xi = (position[a] - patch.min()[a]) * scale;
+            base[a] = std::min(std::max(Kernel::base(xi), -1), patch.cells()[a] + 2 - W);
+            Kernel::evaluate(xi - static_cast<Real>(base[a]), half_size[a] * scale, weights[a].data(),
+                             derivatives[a].data());
+            for (Real& derivative : derivatives[a]) derivative *= scale;
+        }
+        return base;
+    }
+
+    /// (x_i - x_p)_a S along axis a: takes the derivative's place in what is affine in x_i - x_p.
+    static void find_moments(const Patch<S>& patch, const Weights& weights, Axes<Lanes>& moments) {
+        for (int a = 0; a < D; ++a)
+            for (int k = 0; k < W; ++k)
+                moments[a][k] = weights.value[a][k] * (Lanes(k) - weights.s[a]) * Lanes(patch.cell_size()[a]);
+    }
+
+    /// Product of a row's weights over all axes but the first, with those of axis b from `slopes`.
+    template <class T>
+    static T row_product(const Axes<T>& weights, const Axes<T>& slopes, int b, int row) {
+        T product(1);
+        for (int a = 1; a < D; ++a, row /= W) product *= (a == b ? slopes : weights)[a][row % W];
+        return product;
+    }
+
+    // --- Particles to nodes ---------------------------------------------------------------------
+
+    static void scatter_run(Patch<S>& patch, const Particles<S>& particles, Index first, int count,
+                            const Coordinates& base, const Scatter& what) {
+        const int packs = (count + Lanes::lanes - 1) / Lanes::lanes;
+        if (packs < 1) __builtin_unreachable();  // a run has particles
+        std::array<Weights, max_packs> weights;
+        for (int k = 0; k < packs; ++k) weigh(patch, particles, slice(particles, first, count, k), base, weights[k]);
+        int nodes[N];
+        patch.template stencil<W>(base, nodes);
+        const auto at = [&](int k) { return slice(particles, first, count, k); };
+
+        if (what.mass) {
+            std::array<std::array<Lanes, 1>, max_packs> mass;
+            for (int k = 0; k < packs; ++k) mass[k][0] = at(k).load_or_zero(particles.column(Field::mass));
+            add_values<1>(weights.data(), mass.data(), packs, nodes, {patch.column(NodeField::mass)});
+        }
+        if (what.momentum) {
+            std::array<LaneVector, max_packs> momentum;
+            for (int k = 0; k < packs; ++k) {
+                const Lanes mass = at(k).load_or_zero(particles.column(Field::mass));
+                for (int c = 0; c < D; ++c) momentum[k][c] = mass * at(k).load(particles.column(Field::velocity, c));
+            }
+            add_values<D>(weights.data(), momentum.data(), packs, nodes, columns(patch, *what.momentum));
+            if (what.affine_slot >= 0) {
+                std::array<Axes<Lanes>, max_packs> moments;
+                std::array<LaneMatrix, max_packs> affine;
+                for (int k = 0; k < packs; ++k) {
+                    const Lanes mass = at(k).load_or_zero(particles.column(Field::mass));
+                    find_moments(patch, weights[k], moments[k]);
+                    for (int c = 0; c < D; ++c)
+                        for (int a = 0; a < D; ++a)
+                            affine[k][c][a] = mass * at(k).load(particles.column(what.affine_slot, c + D * a));
+                }
+                add_gradients(
+                    weights.data(), [&](int k) -> const Axes<Lanes>& { return moments[k]; }, affine.data(), packs,
+                    nodes, columns(patch, *what.momentum));
+            }
+        }
+        if (what.internal_force) scatter_force(patch, particles, first, count, weights.data(), packs, nodes);
+    }
+
+    /// f_i -= sum sigma grad S V [Wallstedt & Guilkey 2008, eq. 14]; axisymmetric: and, radially,
+    /// S V sigma_hoop / r.
+    static void scatter_force(Patch<S>& patch, const Particles<S>& particles, Index first, int count,
+                              const Weights* weights, int packs, const int* nodes) {
+        constexpr int component[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
+        std::array<LaneMatrix, max_packs> flux;
+        for (int k = 0; k < packs; ++k) {
+            const Slice at = slice(particles, first, count, k);
+            const Lanes volume = -at.load_or_zero(particles.column(Field::volume));
+            for (int c = 0; c < D; ++c)
+                for (int a = 0; a < D; ++a)
+                    flux[k][c][a] = volume * at.load(particles.column(Field::stress, component[c][a]));
+        }
+        add_gradients(
+            weights, [&](int k) -> const Axes<Lanes>& { return weights[k].derivative; }, flux.data(), packs, nodes,
+            columns(patch, NodeField::force));
+        if constexpr (S::axisymmetric) {
+            std::array<std::array<Lanes, 1>, max_packs> hoop;
+            for (int k = 0; k < packs; ++k) {
+                const Slice at = slice(particles, first, count, k);
+                hoop[k][0] = -at.load_or_zero(particles.column(Field::volume)) *
+                             at.load(particles.column(Field::stress, 2)) / at.load(particles.column(Field::position, 0));
+            }
+            add_values<1>(weights, hoop.data(), packs, nodes, {patch.column(NodeField::force, 0)});
+        }
+    }
+
+    static Columns<D> columns(Patch<S>& patch, NodeField field) {
+        Columns<D> columns;
+        for (int c = 0; c < D; ++c) columns[c] = patch.column(field, c);
+        return columns;
+    }
+
+    /// Sums for C components at the nodes of a stencil, one share a lane.
+    template <int C>
+    struct NodeSums {
+        static constexpr int size = (C * N + Lanes::lanes - 1) / Lanes::lanes * Lanes::lanes;
+        std::array<Lanes, size> lanes;
+
+        NodeSums() { std::fill(lanes.begin() + C * N, lanes.end(), Lanes(0)); }
+        void add_to(const Columns<C>& columns, const int* nodes) const {
+            std::array<Real, size> sums;
+            for (int j = 0; j < size; j += Lanes::lanes) Lanes::sums(&lanes[j]).store(&sums[j]);
+            for (int i = 0; i < N; ++i)
+                for (int c = 0; c < C; ++c) columns[c][nodes[i]] += sums[c * N + i];
+        }
+    };
+
+    /// column_c at node i += sum_p S_ip value_c.
+    template <int C>
+    static void add_values(const Weights* weights, const std::array<Lanes, C>* values, int packs, const int* nodes,
+                           const Columns<C>& columns) {
+        NodeSums<C> node_sums;
+        for (int row = 0; row < rows; ++row) {
+            Lanes sums[C][W];
+            for (int c = 0; c < C; ++c)
+                for (int i = 0; i < W; ++i) sums[c][i] = Lanes(0);
+            for (int k = 0; k < packs; ++k) {
+                const Axes<Lanes>& weight = weights[k].value;
+                const Lanes product = row_product(weight, weight, 0, row);
+                for (int c = 0; c < C; ++c) {
+                    const Lanes value = product * values[k][c];
+                    for (int i = 0; i < W; ++i) sums[c][i] += weight[0][i] * value;
+                }
+            }
+            for (int c = 0; c < C; ++c)
+                for (int i = 0; i < W; ++i) node_sums.lanes[c * N + row * W + i] = sums[c][i];
+        }
+        node_sums.add_to(columns, nodes);
+    }
+
+    /// column_c at node i += sum_p sum_a G_a matrix_ca, where G_a is S_ip with `slopes` for the weights
+    /// of axis a: grad S if they are derivatives, S (x_i - x_p) if they are moments.
+    template <class Slopes>
+    static void add_gradients(const Weights* weights, const Slopes& slopes, const LaneMatrix* matrix, int packs,
+                              const int* nodes, const Columns<D>& columns) {
+        NodeSums<D> node_sums;
+        for (int row = 0; row < rows; ++row) {
+            Lanes sums[D][W];
+            for (int c = 0; c < D; ++c)
+                for (int i = 0; i < W; ++i) sums[c][i] = Lanes(0);
+            for (int k = 0; k < packs; ++k) {
+                const Axes<Lanes>&weight = weights[k].value, &slope = slopes(k);
+                LaneVector product;
+                for (int a = 0; a < D; ++a) product[a] = row_product(weight, slope, a, row);
+                for (int c = 0; c < D; ++c) {
+                    const Lanes along = product[0] * matrix[k][c][0];
+                    Lanes across(0);
+                    for (int a = 1; a < D; ++a) across += product[a] * matrix[k][c][a];
+                    for (int i = 0; i < W; ++i) {
+                        sums[c][i] += slope[0][i] * along;
+                        sums[c][i] += weight[0][i] * across;
+                    }
+                }
+            }
+            for (int c = 0; c < D; ++c)
+                for (int i = 0; i < W; ++i) node_sums.lanes[c * N + row * W + i] = sums[c][i];
+        }
+        node_sums.add_to(columns, nodes);
+    }
+
+    // --- Nodes to particles ---------------------------------------------------------------------
+
+    /// Fills the columns of `gathered` from place `at` on.
+    static void gather_run(const Patch<S>& patch, const Particles<S>& particles, Index first, int count,
+                           const Coordinates& base, const Gather& what, Gathered<S>& gathered, int at) {
+        int nodes[N];
+        patch.template stencil<W>(base, nodes);
+        Nodal<D> velocity, acceleration, gradient, affine;
+        if (what.velocity) load(patch, *what.velocity, nodes, velocity);
+        if (what.acceleration) load(patch, NodeField::acceleration, nodes, acceleration);
+        if (what.gradient) load(patch, *what.gradient, nodes, gradient);
+        if (what.affine) load(patch, NodeField::velocity, nodes, affine);
+
+        for (int k = 0; k * Lanes::lanes < count; ++k, at += Lanes::lanes) {
+            const Slice particle = slice(particles, first, count, k);
+            Weights weights;
+            weigh(patch, particles, particle, base, weights);
+            if (what.velocity) store(interpolate(weights.value, velocity), gathered.velocity, at, particle.count);
+            if (what.acceleration)
+                store(interpolate(weights.value, acceleration), gathered.acceleration, at, particle.count);
+            if (what.gradient) {
+                LaneVector value;
+                const LaneMatrix l = differentiate(weights.value, weights.derivative, gradient, value);
+                store(l, gathered.velocity_gradient, at, particle.count);
+                if constexpr (S::axisymmetric)
+                    store(value[0] / particle.load(particles.column(Field::position, 0)),
+                          gathered.velocity_gradient[D * D], at, particle.count);
+            }
+            if (what.affine) {
+                Axes<Lanes> moments;
+                find_moments(patch, weights, moments);
+                invert_inertia(patch, weights, moments);
+                LaneVector value;
+                store(differentiate(weights.value, moments, affine, value), gathered.affine, at, particle.count);
+            }
+        }
+    }
+
+    /// Divides the moments of each axis by D_a = sum S (x_i - x_p)_a^2: B D^-1 of the affine transfer.
+    static void invert_inertia(const Patch<S>& patch, const Weights& weights, Axes<Lanes>& moments) {
+        for (int a = 0; a < D; ++a) {
+            Lanes inertia(0);
+            for (int k = 0; k < W; ++k)
+                inertia += moments[a][k] * (Lanes(k) - weights.s[a]) * Lanes(patch.cell_size()[a]);
+            for (Lanes& moment : moments[a]) moment *= inverse_or_zero(inertia);
+        }
+    }
+
+    static void load(const Patch<S>& patch, NodeField field, const int* nodes, Nodal<D>& values) {
+        for (int c = 0; c < D; ++c) {
+            const Real* column = patch.column(field, c);
+            for (int k = 0; k < N; ++k) values[c][k] = column[nodes[k]];
+        }
+    }
+
+    /// sum_i S_ip f_i.
+    static LaneVector interpolate(const Axes<Lanes>& weights, const Nodal<D>& f) {
+        LaneVector value;
+        for (int c = 0; c < D; ++c) value[c] = Lanes(0);
+        for (int row = 0; row < rows; ++row) {
+            const Lanes product = row_product(weights, weights, 0, row);
+            for (int c = 0; c < D; ++c) {
+                Lanes along(0);
+                for (int i = 0; i < W; ++i) along += weights[0][i] * Lanes(f[c][row * W + i]);
+                value[c] += product * along;
+            }
+        }
+        return value;
+    }
+
+    /// [c][a]: sum_i f_c G_a, with G_a as in add_gradients; and sum_i S_ip f_i.
+    static LaneMatrix differentiate(const Axes<Lanes>& weights, const Axes<Lanes>& slopes, const Nodal<D>& f,
+                                    LaneVector& value) {
+        LaneMatrix gradient;
+        for (int c = 0; c < D; ++c) {
+            value[c] = Lanes(0);
+            for (int a = 0; a < D; ++a) gradient[c][a] = Lanes(0);
+        }
+        for (int row = 0; row < rows; ++row) {
+            LaneVector product;
+            for (int a = 0; a < D; ++a) product[a] = row_product(weights, slopes, a, row);
+            for (int c = 0; c < D; ++c) {
+                Lanes along(0), slope(0);
+                for (int i = 0; i < W; ++i) {
+                    along += weights[0][i] * Lanes(f[c][row * W + i]);
+                    slope += slopes[0][i] * Lanes(f[c][row * W + i]);
+                }
+                value[c] += product[0] * along;
+                gradient[c][0] += product[0] * slope;
+                for (int a = 1; a < D; ++a) gradient[c][a] += product[a] * along;
+            }
+        }
+        return gradient;
+    }
+
+    static void store(Lanes values, std::array<Real, batch_size>& column, int at, int count) {
+        if (at + Lanes::lanes <= batch_size) {
+            values.store(column.data() + at);  // what is too much, the next pack overwrites
+        } else {
+            for (int i = 0; i < count; ++i) column[at + i] = values[i];
+        }
+    }
+    template <std::size_t Components>
+    static void store(const LaneVector& values, std::array<std::array<Real, batch_size>, Components>& columns, int at,
+                      int count) {
+        for (int c = 0; c < D; ++c) store(values[c], columns[c], at, count);
+    }
+    template <std::size_t Components>
+    static void store(const LaneMatrix& values, std::array<std::array<Real, batch_size>, Components>& columns, int at,
+                      int count) {
+        for (int c = 0; c < D; ++c)
+            for (int a = 0; a < D; ++a) store(values[c][a], columns[c + D * a], at, count);
+    }
+};
+
+}  // namespace matpoint

@@ -1,0 +1,77 @@
+#include "config/kinds.hpp"
+
+#include <algorithm>
+
+namespace matpoint {
+namespace {
+
+Schema with_density() {
+    return Schema().number("density",
+                           {.unit = "kg/m^3", .doc = "Initial mass per volume", .greater_than = 0});
+}
+
+Schema with_place_and_name() {
+    return Schema()
+        .add("on", ParameterType::place, {.doc = "Grid faces, or the region, where the condition holds"})
+        .text("name", {.doc = "What probes call the condition", .optional = true});
+}
+
+Schema with_name() {
+    return Schema().text("name", {.doc = "What probes call the load", .optional = true});
+}
+
+Schema with_interval() {
+    Schema schema;
+    schema
+        .number("every",
+                {.unit = "s", .doc = "Simulated time between outputs", .optional = true, .greater_than = 0})
+        .integer("every_steps", {.doc = "Steps between outputs", .optional = true, .at_least = 1});
+    return refuse_two_intervals(schema);
+}
+
+std::vector<Kind> make_kinds() {
+    return {
+        {"grid", "grid", "Background grid", Schema()},
+        {"shape_function", "shape_function", "Grid basis and particle domain", Schema()},
+        {"transfer", "transfer", "How velocity goes to the grid and back", Schema()},
+        {"integrator", "integrator", "Order of the phases of a step", Schema()},
+        {"material", "materials", "Constitutive model", with_density()},
+        {"geometry", "", "Region that a body fills or a condition holds in", Schema()},
+        {"load", "loads", "Body force or traction", with_name()},
+        {"contact", "contacts", "Interaction between bodies", Schema()},
+        {"boundary_condition", "boundary_conditions", "Condition on grid faces or in a region",
+         with_place_and_name()},
+        {"exact_solution", "exact_solution", "Known solution that errors are measured against", Schema()},
+        {"output", "outputs", "Files written during a run", with_interval()},
+    };
+}
+
+}  // namespace
+
+Schema& refuse_two_intervals(Schema& schema) {
+    return schema.refuse(
+        "/every_steps", "give `every` or `every_steps`, not both",
+        [](const Json& own, const Json&) { return own.contains("every") && own.contains("every_steps"); });
+}
+
+const std::vector<Kind>& kinds() {
+    static const std::vector<Kind> all = make_kinds();
+    return all;
+}
+
+const Kind* find_kind(std::string_view name) {
+    const auto found =
+        std::find_if(kinds().begin(), kinds().end(), [&](const Kind& k) { return k.name == name; });
+    return found == kinds().end() ? nullptr : &*found;
+}
+
+std::vector<const Parameter*> parameters_of(const Kind& kind, const Schema& type) {
+    std::vector<const Parameter*> all;
+    for (const Parameter& p : kind.common.parameters()) {
+        if (!type.find(p.name)) all.push_back(&p);
+    }
+    for (const Parameter& p : type.parameters()) all.push_back(&p);
+    return all;
+}
+
+}  // namespace matpoint

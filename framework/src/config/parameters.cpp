@@ -1,0 +1,29 @@
+#include <matpoint/geometry.hpp>
+#include <matpoint/parameters.hpp>
+
+namespace matpoint {
+
+std::array<double, 3> Parameters::vector(const char* name) const {
+    const Json& given = own_->at(name);
+    std::array<double, 3> v{};
+    for (std::size_t i = 0; i < given.size() && i < v.size(); ++i) v[i] = given[i].get<double>();
+    return v;
+}
+
+std::filesystem::path Parameters::file(const char* name) const {
+    return context_->folder / text(name);
+}
+
+std::shared_ptr<Geometry> Parameters::geometry(const char* name) const {
+    return context_->registry->make<Geometry>("geometry", own_->at(name), *context_);
+}
+
+std::vector<std::shared_ptr<Geometry>> Parameters::geometries(const char* name) const {
+    std::vector<std::shared_ptr<Geometry>> made;
+    for (const Json& own : own_->at(name)) {
+        made.push_back(context_->registry->make<Geometry>("geometry", own, *context_));
+    }
+    return made;
+}
+
+}  // namespace matpoint

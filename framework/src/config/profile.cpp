@@ -1,0 +1,96 @@
+#include <matpoint/profile.hpp>
+
+#include <muParser.h>
+
+#include <algorithm>
+#include <functional>
+#include <numbers>
+#include <stdexcept>
+
+namespace matpoint {
+namespace {
+
+// muparser would let a formula assign to x, y, z or t.
+bool assigns(const std::string& text) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] != '=') continue;
+        const bool compares = (i > 0 && std::string("=<>!").find(text[i - 1]) != std::string::npos) ||
+                              (i + 1 < text.size() && text[i + 1] == '=');
+        if (!compares) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+struct Profile::Formula {
+    std::string text;
+    mu::Parser parser;
+    std::array<double, 4> variables{};  // x, y, z, t
+
+    explicit Formula(std::string formula) : text(std::move(formula)) {
+        if (assigns(text)) throw std::invalid_argument("a formula can't assign");
+        try {
+            parser.DefineConst("pi", std::numbers::pi);
+            parser.DefineVar("x", &variables[0]);
+            parser.DefineVar("y", &variables[1]);
+            parser.DefineVar("z", &variables[2]);
+            parser.DefineVar("t", &variables[3]);
+            parser.SetExpr(text);
+            parser.Eval();
+        } catch (const mu::Parser::exception_type& e) {
+            throw std::invalid_argument(e.GetMsg());
+        }
+        if (parser.GetNumResults() != 1) throw std::invalid_argument("a formula has one value");
+    }
+};
+
+Profile::Profile(const Json& value) {
+    if (value.is_number()) {
+        constant_ = value.get<double>();
+    } else if (value.is_string()) {
+        formula_ = std::make_unique<Formula>(value.get<std::string>());
+    } else if (value.is_object() && value.contains("times") && value.contains("values")) {
+        times_ = value.at("times").get<std::vector<double>>();
+        values_ = value.at("values").get<std::vector<double>>();
+        if (times_.empty()) throw std::invalid_argument("a table has at least one time");
+        if (times_.size() != values_.size())
+            throw std::invalid_argument("a table has as many values as times");
+        if (std::adjacent_find(times_.begin(), times_.end(), std::greater_equal<>()) != times_.end()) {
+            throw std::invalid_argument("a table's times increase");
+        }
+    } else {
+        throw std::invalid_argument("neither a number nor a formula nor a table");
+    }
+}
+
+Profile::Profile(const Profile& other)
+    : constant_(other.constant_),
+      times_(other.times_),
+      values_(other.values_),
+      formula_(other.formula_ ? std::make_unique<Formula>(other.formula_->text) : nullptr) {}
+Profile::Profile(Profile&&) noexcept = default;
+Profile& Profile::operator=(Profile other) noexcept {
+    constant_ = other.constant_;
+    times_ = std::move(other.times_);
+    values_ = std::move(other.values_);
+    formula_ = std::move(other.formula_);
+    return *this;
+}
+Profile::~Profile() = default;
+
+double Profile::operator()(const std::array<double, 3>& position, double time) const {
+    if (formula_) {
+        formula_->variables = {position[0], position[1], position[2], time};
+        return formula_->parser.Eval();
+    }
+    if (times_.empty()) return constant_;
+    const auto after =
+        static_cast<std::size_t>(std::upper_bound(times_.begin(), times_.end(), time) - times_.begin());
+    if (after == 0) return values_.front();
+    if (after == times_.size()) return values_.back();
+    const double part = (time - times_[after - 1]) / (times_[after] - times_[after - 1]);
+    return values_[after - 1] + part * (values_[after] - values_[after - 1]);
+}
+
+}  // namespace matpoint

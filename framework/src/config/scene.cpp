@@ -1,0 +1,163 @@
+#include "config/scene.hpp"
+
+#include "config/expected.hpp"
+#include "config/validate.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace matpoint {
+namespace {
+
+std::filesystem::path folder_of(const Document& document) {
+    return std::filesystem::absolute(document.path).parent_path();
+}
+
+/// 0 if the scene doesn't say it well; the schema complains then.
+int dimension_of(const Json& scene) {
+    if (!scene.contains("space") || !scene["space"].is_object() || !scene["space"].contains("dimension"))
+        return 0;
+    const Json& given = scene["space"]["dimension"];
+    for (const int dimension : {1, 2, 3}) {
+        if (given == dimension) return dimension;
+    }
+    return 0;
+}
+
+/// Whether a default is to be filled in: `null` takes an optional key back.
+bool is_absent(const Json& object, const char* key) {
+    return !object.contains(key) || object[key].is_null();
+}
+
+/// Modes of a dimension, the default first.
+std::vector<std::string> modes(int dimension) {
+    if (dimension == 1) return {"bar"};
+    if (dimension == 2) return {"plane_strain", "axisymmetric"};
+    return {"solid"};
+}
+
+/// A number of particles in a whole cell, as one per axis.
+void spread_particles(Json& given, int dimension, const std::string& at, Validator& validator) {
+    const double total = given.get<double>();
+    const auto power = [&](double root) { return std::pow(root, dimension); };
+    const double root = std::max(1.0, std::round(std::pow(total, 1.0 / dimension)));
+    if (power(root) == total) {
+        given = Json(Json::array_t(static_cast<std::size_t>(dimension), static_cast<long>(root)));
+        return;
+    }
+    const double lower = power(root) < total ? root : std::max(1.0, root - 1);
+    validator.error(
+        at, fmt::format("a single number is the total per cell, in {0} dimensions a whole number to the "
+                        "power {0}, such as {1} or {2}; got {3} (a list gives one number per axis)",
+                        dimension, power(lower), power(lower + 1), shown(given)));
+    given = 1;
+}
+
+/// Fills in what depends on other keys of the scene, wherever those are well-formed.
+void fill_in_dependents(Json& scene, const Document& document, int dimension, Validator& validator) {
+    scene.erase("resolved_with");
+    if (is_absent(scene, "title")) scene["title"] = document.path.stem().string();
+    if (dimension == 0) return;
+    if (is_absent(scene["space"], "mode")) scene["space"]["mode"] = modes(dimension).front();
+    if (scene.contains("time") && scene["time"].is_object() && is_absent(scene["time"], "step") &&
+        is_absent(scene["time"], "cfl")) {
+        scene["time"]["cfl"] = 0.4;
+    }
+    if (!scene.contains("bodies") || !scene["bodies"].is_object()) return;
+    for (auto& [name, body] : scene["bodies"].items()) {
+        if (!body.is_object() || !body.contains("particles_per_cell")) continue;
+        Json& given = body["particles_per_cell"];
+        const std::string at = join_pointer("/bodies", name) + "/particles_per_cell";
+        if (given.is_number()) spread_particles(given, dimension, at, validator);
+    }
+}
+
+void check_bodies(Json& resolved, Validator& validator) {
+    for (auto& [name, body] : resolved.items()) {
+        if (!body.is_object()) continue;
+        const std::string at = join_pointer("/bodies", name);
+        Json& particles = body["particles_per_cell"];
+        for (std::size_t i = 0; i < particles.size(); ++i) {
+            if (!particles[i].is_number()) continue;
+            const double number = particles[i].get<double>();
+            if (number != std::trunc(number)) {
+                validator.error(fmt::format("{}/particles_per_cell/{}", at, i),
+                                fmt::format("expected a whole number >= 1, got {}", number));
+            }
+            particles[i] = std::lround(number);
+        }
+        for (std::size_t i = 0; i < body["velocity"].size(); ++i) {
+            if (body["velocity"][i].is_null()) {
+                validator.error(fmt::format("{}/velocity/{}", at, i),
+                                "an initial velocity can't be left free");
+            }
+        }
+    }
+}
+
+/// Mistakes that no single parameter shows.
+void check_sections(Json& resolved, int dimension, Validator& validator) {
+    const Json& space = resolved["space"];
+    if (dimension != 0 && space.is_object() && space.value("mode", Json()).is_string()) {
+        const std::vector<std::string> allowed = modes(dimension);
+        const std::string mode = space["mode"];
+        if (std::find(allowed.begin(), allowed.end(), mode) == allowed.end()) {
+            validator.error("/space/mode", fmt::format("in {} dimension(s) expected {}, got \"{}\"",
+                                                       dimension, fmt::join(allowed, " or "), mode));
+        }
+    }
+    const Json& time = resolved["time"];
+    if (time.is_object() && time.contains("step") && time.contains("cfl")) {
+        validator.error("/time/cfl", "give `step` or `cfl`, not both");
+    }
+    if (resolved["bodies"].is_object()) check_bodies(resolved["bodies"], validator);
+}
+
+SpaceId space_of(const Json& space) {
+    const std::string mode = space.at("mode");
+    return {.mode = mode == "bar"            ? Mode::bar
+                    : mode == "plane_strain" ? Mode::plane_strain
+                    : mode == "axisymmetric" ? Mode::axisymmetric
+                                             : Mode::solid,
+            .single = space.at("precision") == "single"};
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> plugin_files(const Document& document) {
+    std::vector<std::filesystem::path> files;
+    if (!document.json.is_object() || !document.json.contains("plugins")) return files;
+    const Json& given = document.json["plugins"];
+    for (const Json& item : given.is_array() ? given : Json::array({given})) {
+        if (item.is_string())
+            files.push_back((folder_of(document) / item.get<std::string>()).lexically_normal());
+    }
+    return files;
+}
+
+Scene resolve_scene(Document document, Catalogue& catalogue) {
+    Diagnostics diagnostics = document.mistakes;
+    const int dimension = dimension_of(document.json);
+    Validator validator(document, catalogue, dimension, diagnostics);
+    Json filled = document.json;
+    if (filled.is_object()) fill_in_dependents(filled, document, dimension, validator);
+
+    Json resolved = validator.object(scene_schema(), filled, "");
+    if (resolved.is_object()) check_sections(resolved, dimension, validator);
+    diagnostics.throw_if_errors();
+
+    Json plugins = Json::array();
+    for (const auto& file : plugin_files(document)) plugins.push_back(file.string());
+    resolved["plugins"] = plugins;
+    validator.check_rules(resolved);
+    diagnostics.throw_if_errors();
+
+    const SpaceId space = space_of(resolved["space"]);
+    const std::filesystem::path folder = folder_of(document);
+    return {std::move(resolved), std::move(document), space, diagnostics.all(), folder};
+}
+
+}  // namespace matpoint

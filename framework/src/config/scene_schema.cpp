@@ -1,0 +1,129 @@
+#include "config/kinds.hpp"
+#include "config/scene.hpp"
+
+namespace matpoint {
+namespace {
+
+std::shared_ptr<Schema> nested(Schema schema) {
+    return std::make_shared<Schema>(std::move(schema));
+}
+
+Schema space_schema() {
+    return Schema("Space of the simulation")
+        .integer("dimension", {.doc = "Number of axes of the grid", .at_least = 1, .at_most = 3})
+        .choice("mode",
+                {.doc = "How directions outside the grid behave; by default bar in 1D, plane_strain in 2D, "
+                        "solid in 3D",
+                 .optional = true,
+                 .choices = {"bar", "plane_strain", "axisymmetric", "solid"}})
+        .choice(
+            "precision",
+            {.doc = "Of floating-point numbers", .default_value = "double", .choices = {"double", "single"}});
+}
+
+Schema time_schema() {
+    return Schema("Simulated time and its step")
+        .number("end",
+                {.unit = "s", .doc = "The run ends with the first step at or past it", .greater_than = 0})
+        .number("step", {.unit = "s", .doc = "Fixed time step", .optional = true, .greater_than = 0})
+        .number(
+            "cfl",
+            {.doc =
+                 "Time step over the time a wave or particle takes to cross a cell; 0.4 if `step` is absent",
+             .optional = true,
+             .at_most = 2,
+             .greater_than = 0})
+        .integer("max_steps",
+                 {.doc = "The run ends unfinished after so many", .optional = true, .at_least = 1});
+}
+
+Schema body_schema() {
+    return Schema("Particles of one material")
+        .add("material", ParameterType::reference, {.doc = "A name in /materials", .section = "materials"})
+        .add("particles_per_cell", ParameterType::per_axis,
+             {.doc = "A number in all, or one per axis; by default 2 per axis",
+              .default_value = 2,
+              .at_least = 1})
+        .add("velocity", ParameterType::profiles,
+             {.unit = "m/s", .doc = "Initial velocity by position", .default_value = 0})
+        .add("geometry", ParameterType::component, {.doc = "The region to fill", .kind = "geometry"});
+}
+
+Schema checkpoint_schema() {
+    Schema schema("Saved states that a run can go on from");
+    schema
+        .number("every",
+                {.unit = "s", .doc = "Simulated time between two", .optional = true, .greater_than = 0})
+        .integer("every_steps", {.doc = "Steps between two", .optional = true, .at_least = 1})
+        .integer("keep", {.doc = "How many of the latest stay", .default_value = 2, .at_least = 1});
+    return refuse_two_intervals(schema);
+}
+
+Schema health_schema() {
+    return Schema("What to do when the numbers break down")
+        .boolean("enabled", {.doc = "Whether to look", .default_value = true})
+        .choice("off_grid", {.doc = "For a particle that has left the grid",
+                             .default_value = "error",
+                             .choices = {"error", "delete"}})
+        .choice("unstable_step", {.doc = "For a time step beyond the limit of stability",
+                                  .default_value = "error",
+                                  .choices = {"error", "warn", "ignore"}});
+}
+
+Schema make_scene_schema() {
+    const auto type = [](const char* name) { return Json{{"type", name}}; };
+    const auto none = Json::array();
+    return Schema("A Matpoint scene")
+        .integer("matpoint", {.doc = "Version of the scene format", .at_least = 1, .at_most = 1})
+        .text("title", {.doc = "One line; by default the file's name", .optional = true})
+        .text("comment", {.doc = "For readers", .optional = true})
+        .text("$schema", {.doc = "The JSON Schema, for editors", .optional = true})
+        .add("space", ParameterType::object,
+             {.doc = "Space of the simulation", .nested = nested(space_schema())})
+        .add("grid", ParameterType::component, {.doc = "Background grid", .kind = "grid"})
+        .add("shape_function", ParameterType::component,
+             {.doc = "Grid basis and particle domain",
+              .default_value = type("linear"),
+              .kind = "shape_function"})
+        .add("transfer", ParameterType::component,
+             {.doc = "How velocity goes to the grid and back",
+              .default_value = type("flip"),
+              .kind = "transfer"})
+        .add("integrator", ParameterType::component,
+             {.doc = "Order of the phases of a step", .default_value = type("musl"), .kind = "integrator"})
+        .add("time", ParameterType::object, {.doc = "Simulated time", .nested = nested(time_schema())})
+        .add("materials", ParameterType::map,
+             {.doc = "Constitutive models by name", .at_least = 1, .kind = "material"})
+        .add("bodies", ParameterType::map,
+             {.doc = "Particles by name", .at_least = 1, .nested = nested(body_schema())})
+        .add("loads", ParameterType::components,
+             {.doc = "Body forces and tractions", .default_value = none, .kind = "load"})
+        .add("contacts", ParameterType::components,
+             {.doc = "Between bodies", .default_value = none, .kind = "contact"})
+        .add("boundary_conditions", ParameterType::components,
+             {.doc = "On grid faces or regions", .default_value = none, .kind = "boundary_condition"})
+        .add("exact_solution", ParameterType::component,
+             {.doc = "Turns error measurement on", .optional = true, .kind = "exact_solution"})
+        .add("outputs", ParameterType::components, {.doc = "Files", .default_value = none, .kind = "output"})
+        .add("checkpoint", ParameterType::object,
+             {.doc = "Saved states", .optional = true, .nested = nested(checkpoint_schema())})
+        .add("health", ParameterType::object,
+             {.doc = "Breakdown of the numbers",
+              .default_value = Json::object(),
+              .nested = nested(health_schema())})
+        .add("plugins", ParameterType::texts,
+             {.doc = "Paths of shared libraries, beside those found by the types named",
+              .default_value = none})
+        .add("checks", ParameterType::any, {.doc = "What must hold after the run", .optional = true})
+        .add("resolved_with", ParameterType::any,
+             {.doc = "Plugin versions of a resolved scene; ignored", .optional = true});
+}
+
+}  // namespace
+
+const Schema& scene_schema() {
+    static const Schema schema = make_scene_schema();
+    return schema;
+}
+
+}  // namespace matpoint

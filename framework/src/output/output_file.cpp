@@ -1,0 +1,141 @@
+#include <matpoint/output_file.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <regex>
+#include <set>
+#include <stdexcept>
+
+namespace matpoint {
+
+namespace {
+
+[[noreturn]] void throw_not_written(const std::filesystem::path& file, int error) {
+    throw std::runtime_error(
+        fmt::format("can't write {}: {}", file.string(), error ? std::strerror(error) : "the stream failed"));
+}
+
+}  // namespace
+
+std::string number_text(double value, int digits) {
+    std::array<char, 40> text;
+    char* const end = text.data() + text.size();
+    const auto result = digits >= 17
+                            ? std::to_chars(text.data(), end, value)
+                            : std::to_chars(text.data(), end, value, std::chars_format::general, digits);
+    return {text.data(), result.ptr};
+}
+
+OutputFile::OutputFile(std::filesystem::path file) : file_(std::move(file)), aside_(file_) {
+    aside_ += ".tmp";
+    errno = 0;
+    stream_.open(aside_, std::ios::binary | std::ios::trunc);
+    if (!stream_) throw_not_written(file_, errno);
+}
+
+OutputFile::~OutputFile() {
+    stream_.close();
+    std::error_code ignored;  // there is nothing to remove after commit()
+    std::filesystem::remove(aside_, ignored);
+}
+
+void OutputFile::write(std::string_view text) {
+    errno = 0;
+    if (!stream_.write(text.data(), static_cast<std::streamsize>(text.size())))
+        throw_not_written(file_, errno);
+}
+
+void OutputFile::commit() {
+    errno = 0;
+    stream_.close();
+    if (!stream_) throw_not_written(file_, errno);
+    std::error_code error;
+    std::filesystem::rename(aside_, file_, error);
+    if (error) throw_not_written(file_, error.value());
+}
+
+void TimeTable::open(const std::filesystem::path& file, const std::vector<std::string>& columns,
+                     double resumed_at) {
+    file_ = file;
+    rows_ = 0;
+    const std::string header = fmt::format("{}\n", fmt::join(columns, ","));
+    std::string kept = header;
+    if (resumed_at >= 0 && std::filesystem::exists(file)) {
+        std::ifstream old(file);
+        std::string line;
+        if (std::getline(old, line) && line + "\n" != header)
+            throw std::runtime_error(
+                fmt::format("{} has the columns {}, but the run that resumes would write {}: choose another "
+                            "folder or name",
+                            file.string(), line, fmt::join(columns, ",")));
+        // A last row without its end of line is one that a killed run did not finish.
+        while (std::getline(old, line) && !old.eof()) {
+            double time = 0;
+            const auto parsed = std::from_chars(line.data(), line.data() + line.size(), time);
+            if (parsed.ec != std::errc() || time > resumed_at) break;
+            kept += line + "\n";
+            last_time_ = time;
+            ++rows_;
+        }
+    }
+    OutputFile begun(file);
+    begun.write(kept);
+    begun.commit();
+    errno = 0;
+    stream_.open(file, std::ios::binary | std::ios::app);
+    if (!stream_) throw_not_written(file, errno);
+}
+
+void TimeTable::append(double time, const std::vector<std::string>& values) {
+    if (ends_at(time)) return;
+    errno = 0;
+    stream_ << fmt::format("{},{}\n", number_text(time), fmt::join(values, ",")) << std::flush;
+    if (!stream_) throw_not_written(file_, errno);
+    last_time_ = time;
+    ++rows_;
+}
+
+void add_file_name(Schema& schema, ParameterOptions options) {
+    schema.text("name", std::move(options));
+    schema.refuse("/name", "a file name is expected: letters, digits, \"_\", \"-\" and \".\"",
+                  [](const Json& own, const Json&) {
+                      static const std::regex plain("[A-Za-z0-9_.-]+");
+                      return !std::regex_match(own.at("name").get<std::string>(), plain);
+                  });
+    schema.refuse("/name",
+                  "another output of this type has the same name, and each would overwrite the other's files",
+                  [](const Json& own, const Json& scene) {
+                      const Json& outputs = scene.at("outputs");
+                      return std::count_if(outputs.begin(), outputs.end(), [&](const Json& other) {
+                                 return other.value("type", "") == own.at("type").get<std::string>() &&
+                                        other.value("name", "") == own.at("name").get<std::string>();
+                             }) > 1;
+                  });
+}
+
+std::vector<std::string> observed_bodies(const RunView& run, const std::string& body) {
+    return body.empty() ? run.bodies() : std::vector<std::string>{body};
+}
+
+bool has_field(const RunView& run, const std::string& body, const std::string& field) {
+    const std::vector<std::string> fields = run.fields(body);
+    return std::find(fields.begin(), fields.end(), field) != fields.end();
+}
+
+void expect_field(const RunView& run, const std::vector<std::string>& bodies, const std::string& field) {
+    std::set<std::string> known;
+    for (const std::string& body : bodies)
+        for (std::string& name : run.fields(body)) known.insert(std::move(name));
+    if (known.count(field)) return;
+    throw std::runtime_error(
+        fmt::format("an output asks for the field \"{}\", which {} not carry; there are: {}", field,
+                    bodies.size() == 1 ? "body \"" + bodies.front() + "\" does" : "the bodies do",
+                    fmt::join(known, ", ")));
+}
+
+}  // namespace matpoint

@@ -1,0 +1,126 @@
+#include <matpoint/particles.hpp>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace matpoint {
+
+namespace {
+
+constexpr std::array<std::string_view, known_fields> names = {
+    "position",          "velocity",        "mass",      "volume",            "stress",           "deformation_gradient",
+    "velocity_gradient", "affine_velocity", "half_size", "initial_half_size", "initial_position", "id"};
+
+template <class S>
+std::vector<double> initial_values(Field field) {
+    constexpr std::size_t d = S::dimension;
+    switch (field) {
+        case Field::mass:
+        case Field::volume: return {0};
+        case Field::stress: return std::vector<double>(S::stress_size, 0);
+        case Field::deformation_gradient: {
+            std::vector<double> identity(S::deformation_size, 0);
+            for (std::size_t a = 0; a < d; ++a) identity[a * d + a] = 1;
+            if constexpr (S::axisymmetric) identity.back() = 1;
+            return identity;
+        }
+        case Field::velocity_gradient:
+        case Field::affine_velocity: return std::vector<double>(d * d, 0);
+        default: return std::vector<double>(d, 0);
+    }
+}
+
+}  // namespace
+
+std::string_view field_name(Field field) {
+    return names[static_cast<std::size_t>(field)];
+}
+
+std::optional<Field> field_from_name(std::string_view name) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) return {};
+    return static_cast<Field>(found - names.begin());
+}
+
+template <class S>
+Particles<S>::Particles(std::string body) : body_(std::move(body)) {
+    slots_.fill(-1);
+    for (const Field field : {Field::position, Field::velocity, Field::mass, Field::volume, Field::stress}) require(field);
+}
+
+template <class S>
+void Particles<S>::require(Field field) {
+    if (field == Field::id) {
+        has_ids_ = true;
+        return;
+    }
+    int& slot = slots_[static_cast<std::size_t>(field)];
+    if (slot < 0) slot = add(std::string(field_name(field)), initial_values<S>(field));
+}
+
+template <class S>
+int Particles<S>::require(const std::string& name, int components, double initial) {
+    const int found = slot(name);
+    if (found >= 0) {
+        if (this->components(found) != components)
+            throw std::logic_error("particle field \"" + name + "\" was asked for with different numbers of components");
+        return found;
+    }
+    return add(name, std::vector<double>(static_cast<std::size_t>(components), initial));
+}
+
+template <class S>
+int Particles<S>::add(std::string name, std::vector<double> initial) {
+    if (size_ > 0) throw std::logic_error("particle field \"" + name + "\" was asked for after seeding");
+    const int components = static_cast<int>(initial.size());
+    fields_.push_back({std::move(name), components, static_cast<int>(columns_.size()), std::move(initial)});
+    columns_.resize(columns_.size() + static_cast<std::size_t>(components));
+    return static_cast<int>(fields_.size()) - 1;
+}
+
+template <class S>
+int Particles<S>::slot(std::string_view name) const {
+    for (std::size_t i = 0; i < fields_.size(); ++i)
+        if (fields_[i].name == name) return static_cast<int>(i);
+    return -1;
+}
+
+template <class S>
+void Particles<S>::resize(Index n) {
+    const auto count = static_cast<std::size_t>(n);
+    for (const FieldInfo& field : fields_)
+        for (std::size_t c = 0; c < field.initial.size(); ++c)
+            columns_[static_cast<std::size_t>(field.first) + c].resize(count, static_cast<Real>(field.initial[c]));
+    if (has_ids_) {
+        const std::size_t old = ids_.size();
+        ids_.resize(count);
+        for (std::size_t p = old; p < count; ++p) ids_[p] = static_cast<std::uint32_t>(p);
+    }
+    size_ = n;
+}
+
+template <class S>
+void Particles<S>::permute(const std::vector<Index>& order) {
+    spare_.resize(order.size());
+    for (std::vector<Real>& column : columns_) {
+        for (std::size_t k = 0; k < order.size(); ++k) spare_[k] = column[static_cast<std::size_t>(order[k])];
+        column.swap(spare_);
+        spare_.resize(order.size());
+    }
+    if (has_ids_) {
+        std::vector<std::uint32_t> ids(order.size());
+        for (std::size_t k = 0; k < order.size(); ++k) ids[k] = ids_[static_cast<std::size_t>(order[k])];
+        ids_.swap(ids);
+    }
+    size_ = static_cast<Index>(order.size());
+}
+
+template <class S>
+std::size_t Particles<S>::bytes_per_particle() const {
+    return columns_.size() * sizeof(Real) + (has_ids_ ? sizeof(std::uint32_t) : 0);
+}
+
+#define MATPOINT_INSTANTIATE(S) template class Particles<S>;
+MATPOINT_FOR_EACH_SPACE(MATPOINT_INSTANTIATE)
+
+}  // namespace matpoint

@@ -1,0 +1,162 @@
+#include "particles/seeding.hpp"
+
+#include <matpoint/parallel.hpp>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+namespace matpoint {
+
+namespace {
+
+/// Candidates handed to the geometry at a time, about.
+constexpr Index candidates_per_task = 65536;
+
+struct Seed {
+    Eigen::Vector3d position;   ///< m
+    Eigen::Vector3d velocity;   ///< m/s
+    Eigen::Vector3d half_size;  ///< m
+    double volume;              ///< m^3 (m^2 in plane strain, m in 1D; of the whole ring when axisymmetric)
+};
+
+/// Volume of what a particle's cross-section sweeps: 2 pi r when axisymmetric. With r at its middle,
+/// the volume of a rectangle's ring is exact.
+template <class S>
+double width(const Eigen::Vector3d& position) {
+    return S::axisymmetric ? 2 * std::numbers::pi * position[0] : 1;
+}
+
+/// The lattice's coordinates along an axis in cells first … last - 1, and nothing for missing axes.
+struct Axis {
+    int first = 0, last = 1;
+    int per_cell = 1;
+    double half_size = 0;
+    std::vector<double> coordinates{0.0};
+
+    Index cells() const { return last - first; }
+    double at(int cell, int k) const { return coordinates[static_cast<std::size_t>((cell - first) * per_cell + k)]; }
+};
+
+template <class S>
+Axis lattice_axis(const Patch<S>& patch, const Geometry::Bounds& bounds, int a, int per_cell) {
+    Axis axis;
+    const double min = static_cast<double>(patch.min()[a]), h = static_cast<double>(patch.cell_size()[a]);
+    const double cells = patch.cells()[static_cast<std::size_t>(a)];
+    // One cell more on both sides, for the rounding of bounds that lie on a cell's face.
+    axis.first = static_cast<int>(std::clamp(std::floor((bounds.min[a] - min) / h) - 1, 0.0, cells));
+    axis.last = static_cast<int>(std::clamp(std::floor((bounds.max[a] - min) / h) + 2, 0.0, cells));
+    axis.last = std::max(axis.first, axis.last);
+    axis.per_cell = per_cell;
+    axis.half_size = h / (2 * per_cell);
+    axis.coordinates.clear();
+    for (int cell = axis.first; cell < axis.last; ++cell)
+        for (int k = 0; k < per_cell; ++k) axis.coordinates.push_back(min + (cell + (k + 0.5) / per_cell) * h);
+    return axis;
+}
+
+template <class S>
+std::vector<Seed> seeds_of_region(const Patch<S>& patch, const Geometry& geometry, const std::array<int, 3>& per_cell) {
+    const Geometry::Bounds bounds = geometry.bounds();
+    std::array<Axis, 3> axes;
+    for (int a = 0; a < S::dimension; ++a) {
+        const auto i = static_cast<std::size_t>(a);
+        axes[i] = lattice_axis(patch, bounds, a, per_cell[i]);
+    }
+    const auto& [x, y, z] = axes;
+    const Eigen::Vector3d half_size(x.half_size, y.half_size, z.half_size);
+    double area = 1;
+    for (int a = 0; a < S::dimension; ++a) area *= 2 * half_size[a];
+
+    // A task is some rows of cells along x; putting the tasks' points together in their order makes
+    // the particles' order independent of the threads.
+    const Index rows = y.cells() * z.cells();
+    const Index points_per_row = std::max<Index>(1, x.cells() * x.per_cell * y.per_cell * z.per_cell);
+    const Index rows_per_task = std::max<Index>(1, candidates_per_task / points_per_row);
+    const Index tasks = (rows + rows_per_task - 1) / rows_per_task;
+    std::vector<std::vector<Eigen::Vector3d>> found(static_cast<std::size_t>(tasks));
+    parallel_for(tasks, [&](Index task) {
+        std::vector<Eigen::Vector3d> candidates;
+        for (Index row = task * rows_per_task; row < std::min(rows, (task + 1) * rows_per_task); ++row) {
+            const int cy = y.first + static_cast<int>(row % y.cells()), cz = z.first + static_cast<int>(row / y.cells());
+            for (int cx = x.first; cx < x.last; ++cx)
+                for (int kz = 0; kz < z.per_cell; ++kz)
+                    for (int ky = 0; ky < y.per_cell; ++ky)
+                        for (int kx = 0; kx < x.per_cell; ++kx)
+                            candidates.emplace_back(x.at(cx, kx), y.at(cy, ky), z.at(cz, kz));
+        }
+        const std::vector<char> inside = geometry.contains(candidates);
+        std::vector<Eigen::Vector3d>& kept = found[static_cast<std::size_t>(task)];
+        for (std::size_t i = 0; i < candidates.size(); ++i)
+            if (inside[i]) kept.push_back(candidates[i]);
+    });
+
+    std::vector<Seed> seeds;
+    for (const std::vector<Eigen::Vector3d>& kept : found)
+        for (const Eigen::Vector3d& position : kept)
+            seeds.push_back({position, Eigen::Vector3d::Zero(), half_size, area * width<S>(position)});
+    return seeds;
+}
+
+template <class S>
+std::vector<Seed> seeds_of_points(const Patch<S>& patch, const PointCloud& cloud, const std::string& body) {
+    std::vector<Seed> seeds;
+    for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+        const PointCloud::Point& point = cloud.points[i];
+        bool outside = S::axisymmetric && point.position[0] <= 0;
+        for (int a = 0; a < S::dimension; ++a) {
+            const double cell = (point.position[a] - static_cast<double>(patch.min()[a])) / static_cast<double>(patch.cell_size()[a]);
+            outside = outside || !(cell >= 0 && cell < patch.cells()[static_cast<std::size_t>(a)]);
+        }
+        if (outside)
+            throw std::invalid_argument(fmt::format("body \"{}\": point {} of its geometry's {}, at [{}], is outside the grid",
+                                                    body, i + 1, cloud.points.size(),
+                                                    fmt::join(point.position.data(), point.position.data() + S::dimension, ", ")));
+        const double half_size = 0.5 * std::pow(point.volume / width<S>(point.position), 1.0 / S::dimension);
+        seeds.push_back({point.position, point.velocity, Eigen::Vector3d::Constant(half_size), point.volume});
+    }
+    return seeds;
+}
+
+}  // namespace
+
+template <class S>
+void seed(Particles<S>& particles, const Patch<S>& patch, const Geometry& geometry,
+          const std::array<int, 3>& particles_per_cell, double density, const InitialVelocity& velocity) {
+    const PointCloud* const cloud = geometry.points();
+    const std::vector<Seed> seeds = cloud ? seeds_of_points(patch, *cloud, particles.body())
+                                          : seeds_of_region(patch, geometry, particles_per_cell);
+    if (seeds.empty())
+        throw std::invalid_argument(fmt::format("body \"{}\": its geometry contains no particle; check that it lies within the "
+                                                "grid and is not smaller than the distance between particles, "
+                                                "the cell size over \"particles_per_cell\"",
+                                                particles.body()));
+    using Real = typename S::Real;
+    particles.resize(static_cast<Index>(seeds.size()));
+    const auto set = [&](Field field, Index p, const Eigen::Vector3d& value) {
+        if (!particles.has(field)) return;
+        for (int a = 0; a < S::dimension; ++a) particles.column(field, a)[p] = static_cast<Real>(value[a]);
+    };
+    for (Index p = 0; p < particles.size(); ++p) {
+        const Seed& s = seeds[static_cast<std::size_t>(p)];
+        set(Field::position, p, s.position);
+        set(Field::initial_position, p, s.position);
+        set(Field::velocity, p, velocity ? Eigen::Vector3d(velocity(s.position) + s.velocity) : s.velocity);
+        set(Field::half_size, p, s.half_size);
+        set(Field::initial_half_size, p, s.half_size);
+        particles.column(Field::volume)[p] = static_cast<Real>(s.volume);
+        particles.column(Field::mass)[p] = static_cast<Real>(density * s.volume);
+    }
+}
+
+#define MATPOINT_INSTANTIATE(S)                                                                                    \
+    template void seed<S>(Particles<S>&, const Patch<S>&, const Geometry&, const std::array<int, 3>&, double, \
+                          const InitialVelocity&);
+MATPOINT_FOR_EACH_SPACE(MATPOINT_INSTANTIATE)
+
+}  // namespace matpoint

@@ -1,0 +1,162 @@
+#include "run/assemble.hpp"
+
+#include <matpoint/geometry.hpp>
+
+#include "particles/seeding.hpp"
+#include "run/derived_fields.hpp"
+
+namespace matpoint {
+
+namespace {
+
+/// Makes components and turns what their constructors complain of into diagnostics.
+class Maker {
+  public:
+    Maker(const Scene& scene, const Registry& registry)
+        : scene_(scene), registry_(registry), context_{scene.space, scene.folder, &registry, &scene.resolved} {}
+
+    template <class C>
+    std::shared_ptr<C> make(const std::string& kind, const std::string& pointer) {
+        std::shared_ptr<C> made;
+        attempt(pointer, [&] { made = registry_.make<C>(kind, json(pointer), context_); });
+        return made;
+    }
+    template <class Action>
+    void attempt(const std::string& pointer, const Action& action) {
+        try {
+            action();
+        } catch (const std::invalid_argument& mistake) {
+            diagnostics_.add(scene_.document.diagnostic(pointer, mistake.what()));
+        }
+    }
+    void mistake(const std::string& pointer, const std::string& text) {
+        diagnostics_.add(scene_.document.diagnostic(pointer, text));
+    }
+    const Json& json(const std::string& pointer) const { return scene_.resolved.at(Json::json_pointer(pointer)); }
+    const Parameters::Context& context() const { return context_; }
+    void throw_if_errors() const { diagnostics_.throw_if_errors(); }
+
+  private:
+    const Scene& scene_;
+    const Registry& registry_;
+    Parameters::Context context_;
+    Diagnostics diagnostics_;
+};
+
+template <class S>
+void make_conditions(Maker& maker, std::vector<PlacedCondition<S>>& conditions) {
+    const Json& all = maker.json("/boundary_conditions");
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        const std::string pointer = "/boundary_conditions/" + std::to_string(k);
+        PlacedCondition<S> placed;
+        placed.name = all[k].value("name", "");
+        placed.condition = maker.make<BoundaryCondition<S>>("boundary_condition", pointer);
+        if (all[k].at("on").is_object()) {
+            placed.region = maker.make<Geometry>("geometry", pointer + "/on");
+        } else {
+            placed.faces = all[k].at("on").get<std::vector<std::string>>();
+        }
+        conditions.push_back(std::move(placed));
+    }
+}
+
+void make_outputs(Maker& maker, std::vector<ScheduledOutput>& outputs) {
+    const Json& all = maker.json("/outputs");
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        ScheduledOutput scheduled;
+        scheduled.output = maker.make<Output>("output", "/outputs/" + std::to_string(k));
+        scheduled.type = all[k].at("type").get<std::string>();
+        scheduled.every = all[k].value("every", 0.0);
+        scheduled.every_steps = all[k].value("every_steps", 0L);
+        outputs.push_back(std::move(scheduled));
+    }
+}
+
+/// The fields that the outputs and checks of a scene look at.
+template <class S>
+void require_observed(const Maker& maker, const std::vector<ScheduledOutput>& outputs, Particles<S>& particles) {
+    for (const ScheduledOutput& scheduled : outputs) {
+        particles.require(Field::id);
+        const std::string body = scheduled.output->body();
+        if (!body.empty() && body != particles.body()) continue;
+        for (const std::string& name : scheduled.output->required_fields())
+            if (const auto field = field_behind(name)) particles.require(*field);
+    }
+    if (const Json& scene = maker.json(""); scene.contains("checks"))
+        for (const Json& check : scene.at("checks"))
+            if (check.contains("particles")) {
+                particles.require(Field::id);
+                particles.require(Field::initial_position);
+                if (const auto field = field_behind(check.at("particles").value("field", ""))) particles.require(*field);
+            }
+}
+
+}  // namespace
+
+template <class S>
+Assembly<S> assemble(const Scene& scene, const Registry& registry) {
+    Maker maker(scene, registry);
+    Assembly<S> result;
+    Components<S>& components = result.components;
+    components.grid = maker.make<Grid<S>>("grid", "/grid");
+    components.shape = maker.make<ShapeFunction<S>>("shape_function", "/shape_function");
+    components.transfer = maker.make<Transfer<S>>("transfer", "/transfer");
+    components.integrator = maker.make<Integrator<S>>("integrator", "/integrator");
+    for (std::size_t k = 0; k < scene.resolved.at("loads").size(); ++k)
+        components.loads.push_back(maker.make<Load<S>>("load", "/loads/" + std::to_string(k)));
+    make_conditions(maker, components.conditions);
+    make_outputs(maker, result.outputs);
+    std::map<std::string, std::shared_ptr<Material<S>>> materials;
+    for (const auto& [name, unused] : scene.resolved.at("materials").items())
+        materials[name] = maker.make<Material<S>>("material", join_pointer("/materials", name));
+    std::vector<std::shared_ptr<Geometry>> geometries;
+    for (const auto& [name, unused] : scene.resolved.at("bodies").items())
+        geometries.push_back(maker.make<Geometry>("geometry", join_pointer("/bodies", name) + "/geometry"));
+    maker.throw_if_errors();
+
+    Patch<S>& patch = components.grid->patch();
+    for (std::size_t a = 0; a < S::dimension; ++a)
+        if (patch.cells()[a] + 1 < components.shape->width())
+            maker.mistake("/grid", "needs at least " + std::to_string(components.shape->width() - 1) +
+                                       " cells on every axis for this shape function");
+    maker.attempt("/boundary_conditions", [&] { Walls<S> check(components.conditions); });
+
+    std::size_t number = 0;
+    for (const auto& [name, body] : scene.resolved.at("bodies").items()) {
+        Particles<S> particles(name);
+        const auto material = materials.at(body.at("material").template get<std::string>());
+        components.materials.push_back(material);
+        components.shape->declare(particles);
+        components.transfer->declare(particles);
+        if (material->uses_deformation_gradient()) particles.require(Field::deformation_gradient);
+        for (const auto& load : components.loads) load->declare(particles);
+        require_observed(maker, result.outputs, particles);
+        result.first_states.push_back(particles.field_count());
+        for (const StateVariable& variable : material->state()) particles.require(variable.name, 1, variable.initial);
+
+        maker.attempt(join_pointer("/bodies", name) + "/geometry", [&] {
+            std::array<int, 3> per_cell{1, 1, 1};
+            for (std::size_t a = 0; a < S::dimension; ++a) per_cell[a] = body.at("particles_per_cell")[a].template get<int>();
+            std::vector<std::optional<Profile>> velocity;
+            for (const Json& component : body.at("velocity"))
+                velocity.push_back(component.is_null() ? std::nullopt : std::optional<Profile>(component));
+            const auto initial_velocity = [&](const Eigen::Vector3d& x) {
+                Eigen::Vector3d v = Eigen::Vector3d::Zero();
+                for (std::size_t a = 0; a < velocity.size(); ++a)
+                    if (velocity[a]) v[static_cast<Eigen::Index>(a)] = (*velocity[a])({x[0], x[1], x[2]}, 0);
+                return v;
+            };
+            seed<S>(particles, patch, *geometries[number], per_cell, material->density(), initial_velocity);
+        });
+        result.bodies.push_back(std::move(particles));
+        ++number;
+    }
+    maker.throw_if_errors();
+    for (const auto& load : components.loads) load->start(patch, result.bodies);
+    return result;
+}
+
+#define MATPOINT_INSTANTIATE(S) template Assembly<S> assemble<S>(const Scene&, const Registry&);
+MATPOINT_FOR_EACH_SPACE(MATPOINT_INSTANTIATE)
+
+}  // namespace matpoint

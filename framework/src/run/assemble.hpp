@@ -1,0 +1,22 @@
+#pragma once
+
+#include "run/simulation.hpp"
+#include "step/engine.hpp"
+
+namespace matpoint {
+
+/// A scene's components and seeded bodies, ready for the first step.
+template <class S>
+struct Assembly {
+    Components<S> components;
+    std::vector<Particles<S>> bodies;
+    std::vector<int> first_states;  ///< slot of each body's first material state variable
+    std::vector<ScheduledOutput> outputs;
+};
+
+/// Makes a scene's components, gives particles the fields that these ask for, and seeds the bodies.
+/// Throws InputError.
+template <class S>
+Assembly<S> assemble(const Scene& scene, const Registry& registry);
+
+}  // namespace matpoint

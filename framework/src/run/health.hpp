@@ -1,0 +1,22 @@
+#pragma once
+
+#include "step/engine.hpp"
+
+#include <string>
+
+namespace matpoint {
+
+/// What the health guard says; each names the step, the time, the body, the particle, the likely
+/// cause and the setting to change.
+struct Moment {
+    long step;
+    double time, dt;
+};
+
+template <class S>
+std::string describe_stray(const Moment& moment, const Particles<S>& particles, Index particle, const Patch<S>& patch);
+template <class S>
+std::string describe_fault(const Moment& moment, const Particles<S>& particles, const Fault& fault, double stable_step);
+std::string describe_unstable_step(const Moment& moment, double stable_step, double wave_speed, double particle_speed);
+
+}  // namespace matpoint

@@ -1,0 +1,230 @@
+#include "run/run.hpp"
+
+#include <matpoint/output_file.hpp>
+#include <matpoint/parallel.hpp>
+
+#include "run/clock.hpp"
+#include "run/progress.hpp"
+#include "run/rotation.hpp"
+#include "run/signals.hpp"
+#include "run/summary.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+
+namespace matpoint {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Seconds of wall time between the states from which a breakdown's last good state is recomputed.
+constexpr double refuge_interval = 30;
+
+void write_json(const fs::path& file, const Json& json) {
+    OutputFile out(file);
+    out.write(json.dump(2));
+    out.write("\n");
+    out.commit();
+}
+
+/// When something that repeats is next due.
+class Schedule {
+  public:
+    Schedule(double every, long every_steps, double time, long step) : every_(every), every_steps_(every_steps) {
+        if (every_ > 0) next_ = std::floor(time / every_ * (1 + 1e-12)) + 1;
+        if (every_steps_ > 0) next_step_ = (step / every_steps_ + 1) * every_steps_;
+    }
+    /// Whether it is due; moves on to the next time if so.
+    bool due(double time, long step) {
+        bool now = false;
+        if (every_ > 0 && time >= next_ * every_ * (1 - 1e-12)) {
+            now = true;
+            next_ = std::floor(time / every_ * (1 + 1e-12)) + 1;
+        }
+        if (every_steps_ > 0 && step >= next_step_) {
+            now = true;
+            next_step_ = (step / every_steps_ + 1) * every_steps_;
+        }
+        return now;
+    }
+
+  private:
+    double every_;
+    long every_steps_;
+    double next_ = 0;
+    long next_step_ = 0;
+};
+
+/// One run of a scene, with its files.
+class Run {
+  public:
+    Run(const Scene& scene, PluginCatalogue& catalogue, const RunOptions& options)
+        : scene_(scene), catalogue_(catalogue), options_(options), simulation_(Simulation::create(scene, catalogue)) {
+        if (options.resume) simulation_->restore(*options.resume);
+        for (const ScheduledOutput& output : simulation_->outputs())
+            schedules_.emplace_back(output.every, output.every_steps, simulation_->time(), simulation_->step());
+        if (scene.resolved.contains("checkpoint")) {
+            const Json& checkpoint = scene.resolved.at("checkpoint");
+            checkpoints_.emplace(checkpoint.value("every", 0.0), checkpoint.value("every_steps", 0L), simulation_->time(),
+                                 simulation_->step());
+            keep_ = checkpoint.at("keep").get<int>();
+        }
+    }
+
+    RunResult operator()() {
+        RunResult result;
+        fs::create_directories(options_.output);
+        remove_stale_states();
+        write_json(options_.output / "resolved.json", with_plugins(scene_.resolved, catalogue_));
+        const SignalGuard signals;
+        Progress progress(options_.progress);
+        try {
+            open_outputs();
+            steps(result, progress);
+        } catch (const Breakdown& breakdown) {
+            result.status = RunStatus::broke_down;
+            result.reason = breakdown.what();
+            save_last_good(result);
+        } catch (const std::runtime_error& failure) {
+            // A full disk, say: what can still be saved is saved, then the reason is told.
+            result.status = RunStatus::unfinished;
+            result.reason = failure.what();
+            save_after_failure(result);
+        }
+        progress.clear();
+        result.final_state = simulation_->state();
+        result.summary = summarise(*simulation_, catalogue_, clock_, result);
+        write_summary(result);
+        if (!options_.quiet) print_closing_table(*simulation_, result);
+        return result;
+    }
+
+  private:
+    void open_outputs() {
+        const double resumed_at = options_.resume ? simulation_->time() : -1;
+        for (const ScheduledOutput& scheduled : simulation_->outputs()) {
+            scheduled.output->open(*simulation_, options_.output, resumed_at);
+            scheduled.output->write(*simulation_);
+        }
+    }
+
+    void steps(RunResult& result, Progress& progress) {
+        double refuge_due = refuge_interval;
+        while (!simulation_->finished()) {
+            if (signals_received() || (options_.stop_after_steps && simulation_->step() >= *options_.stop_after_steps)) {
+                result.status = RunStatus::interrupted;
+                result.reason = "interrupted; go on with: matpoint restart " + save().string();
+                break;
+            }
+            {
+                const StepTimer timer(clock_);
+                simulation_->advance();
+            }
+            ++clock_.steps;
+            clock_.particle_steps += static_cast<double>(simulation_->particle_count());
+            const auto& outputs = simulation_->outputs();
+            for (std::size_t k = 0; k < outputs.size(); ++k)
+                if (schedules_[k].due(simulation_->time(), simulation_->step())) outputs[k].output->write(*simulation_);
+            if (checkpoints_ && checkpoints_->due(simulation_->time(), simulation_->step())) {
+                save();
+                prune_checkpoints(checkpoint_folder(), keep_);
+            }
+            if (clock_.wall_seconds() > refuge_due) {
+                refuge_due = clock_.wall_seconds() + refuge_interval;
+                fs::create_directories(checkpoint_folder());
+                write_checkpoint(refuge_file(), simulation_->state());
+            }
+            progress.show(*simulation_, clock_);
+        }
+        for (const ScheduledOutput& scheduled : simulation_->outputs()) scheduled.output->write(*simulation_);
+    }
+
+    fs::path checkpoint_folder() const { return options_.output / "checkpoints"; }
+    fs::path refuge_file() const { return checkpoint_folder() / "last_good.h5"; }
+
+    /// Checkpoints of an earlier run into the same folder would pass for this one's.
+    void remove_stale_states() const {
+        if (!fs::exists(checkpoint_folder())) return;
+        remove_checkpoints_after(checkpoint_folder(), options_.resume ? options_.resume->step : -1);
+        fs::remove(refuge_file());
+    }
+
+    fs::path save() {
+        const fs::path file = checkpoint_path(checkpoint_folder(), simulation_->step());
+        fs::create_directories(file.parent_path());
+        write_checkpoint(file, simulation_->state());
+        return file;
+    }
+
+    /// Runs being deterministic, the state before a breakdown is recomputed rather than kept at hand:
+    /// from the latest state on disk, or from the start.
+    void save_last_good(RunResult& result) {
+        const long broken_step = simulation_->step();
+        try {
+            auto again = Simulation::create(scene_, catalogue_);
+            if (const auto start = latest_state(broken_step)) again->restore(*start);
+            while (again->step() < broken_step) again->advance();
+            simulation_ = std::move(again);
+            result.reason += "\nThe last good state is saved in " + save().string();
+        } catch (const std::exception& failure) {
+            result.reason += std::string("\nThe last good state could not be saved: ") + failure.what();
+        }
+    }
+
+    std::optional<CheckpointData> latest_state(long before) const {
+        std::optional<CheckpointData> latest = options_.resume;
+        std::error_code missing;
+        for (const auto& entry : fs::directory_iterator(checkpoint_folder(), missing)) {
+            if (entry.path().extension() != ".h5") continue;
+            CheckpointData candidate = read_checkpoint(entry.path());
+            if (candidate.step <= before && (!latest || candidate.step > latest->step)) latest = std::move(candidate);
+        }
+        return latest;
+    }
+
+    void save_after_failure(RunResult& result) {
+        try {
+            result.reason += "\nThe state is saved in " + save().string();
+        } catch (const std::exception& failure) {
+            result.reason += std::string("\nThe state could not be saved: ") + failure.what();
+        }
+    }
+
+    void write_summary(RunResult& result) {
+        try {
+            write_json(options_.output / "summary.json", result.summary);
+        } catch (const std::runtime_error& failure) {
+            if (result.status == RunStatus::completed) result.status = RunStatus::unfinished;
+            result.reason += std::string(result.reason.empty() ? "" : "\n") + failure.what();
+        }
+        if (result.status == RunStatus::completed) {
+            std::error_code ignored;
+            fs::remove(refuge_file(), ignored);
+        }
+    }
+
+    const Scene& scene_;
+    PluginCatalogue& catalogue_;
+    const RunOptions& options_;
+    std::unique_ptr<Simulation> simulation_;
+    std::vector<Schedule> schedules_;
+    std::optional<Schedule> checkpoints_;
+    int keep_ = 2;
+    RunClock clock_;
+};
+
+}  // namespace
+
+RunResult run_scene(const Scene& scene, PluginCatalogue& catalogue, const RunOptions& options) {
+    return Run(scene, catalogue, options)();
+}
+
+Scene scene_of(const CheckpointData& checkpoint, PluginCatalogue& catalogue) {
+    return resolve_scene(parse_document(checkpoint.scene, std::filesystem::path(checkpoint.folder) / "checkpoint.json"),
+                         catalogue);
+}
+
+}  // namespace matpoint

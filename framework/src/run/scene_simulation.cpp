@@ -1,0 +1,157 @@
+#include "run/scene_simulation.hpp"
+
+#include "run/derived_fields.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace matpoint {
+
+template <class S>
+SceneSimulation<S>::SceneSimulation(const Scene& scene, PluginCatalogue& catalogue)
+    : title_(scene.resolved.at("title").get<std::string>()),
+      scene_text_(scene.resolved.dump()),
+      folder_(scene.folder.string()),
+      end_(scene.resolved.at("/time/end"_json_pointer).get<double>()),
+      max_steps_(scene.resolved.at("time").value("max_steps", std::numeric_limits<long>::max())),
+      guarded_(scene.resolved.at("/health/enabled"_json_pointer).get<bool>()),
+      deletes_strays_(scene.resolved.at("/health/off_grid"_json_pointer) == "delete"),
+      on_unstable_step_(scene.resolved.at("/health/unstable_step"_json_pointer).get<std::string>()),
+      assembly_(assemble<S>(scene, catalogue.registry())),
+      engine_(assembly_.components, assembly_.bodies, assembly_.first_states),
+      smallest_cell_(static_cast<double>(engine_.patch().cell_size().minCoeff())) {
+    const Json& time = scene.resolved.at("time");
+    if (time.contains("step")) step_length_ = time.at("step").get<double>();
+    else cfl_ = time.at("cfl").get<double>();
+    for (const PluginLibrary& plugin : catalogue.opened()) plugins_[plugin.name()] = plugin.version();
+
+    engine_.measure();
+    numbers_.first_mass = mass();
+    numbers_.given_momentum = engine_.tally().momentum;
+    numbers_.first_energy = energies().total();
+    account();
+}
+
+template <class S>
+bool SceneSimulation<S>::finished() const {
+    // An end that is a whole number of steps is met despite rounding of the time.
+    return time_ >= end_ * (1 - 1e-12) || step_ >= max_steps_;
+}
+
+template <class S>
+double SceneSimulation<S>::stable_step() const {
+    const double speed = numbers_.wave_speed + numbers_.particle_speed;
+    return speed > 0 ? smallest_cell_ / speed : std::numeric_limits<double>::infinity();
+}
+
+template <class S>
+double SceneSimulation<S>::next_time_step() const {
+    if (step_length_ > 0) return step_length_;
+    // Something at rest without stiffness has no time scale of its own: take a hundredth of the run's.
+    return std::min(cfl_ * stable_step(), end_ / 100);
+}
+
+template <class S>
+long SceneSimulation<S>::estimated_steps() const {
+    const double steps = std::ceil((end_ - time_) / next_time_step() * (1 - 1e-12));
+    return std::min(max_steps_ - step_, static_cast<long>(std::max(0.0, steps)));
+}
+
+template <class S>
+void SceneSimulation<S>::advance() {
+    const double dt = next_time_step();
+    remove_strays();
+    if (guarded_) guard_step(dt);
+
+    engine_.step(step_, time_, dt);
+    const Tally& tally = engine_.tally();
+    if (guarded_ && !engine_.faults().empty()) {
+        const Fault& fault = engine_.faults().front();
+        throw Breakdown(describe_fault({step_, time_, dt}, assembly_.bodies[fault.body], fault, stable_step()));
+    }
+    numbers_.strain += tally.strain_work;
+    numbers_.external += tally.external_work;
+    for (std::size_t c = 0; c < 3; ++c) numbers_.given_momentum[c] += tally.impulse[c];
+    last_time_step_ = dt;
+    ++step_;
+    time_ = step_length_ > 0 ? static_cast<double>(step_) * step_length_ : time_ + dt;
+    account();
+}
+
+template <class S>
+void SceneSimulation<S>::account() {
+    const Tally& tally = engine_.tally();
+    numbers_.wave_speed = tally.largest_wave_speed;
+    numbers_.particle_speed = tally.largest_speed;
+    const Energies e = energies();
+    numbers_.largest_energy = std::max({numbers_.largest_energy, e.kinetic, std::abs(e.strain), std::abs(e.external)});
+    numbers_.energy_drift = std::max(numbers_.energy_drift, std::abs(e.total() - numbers_.first_energy));
+    numbers_.largest_momentum = std::max(numbers_.largest_momentum, tally.momentum_scale);
+    for (std::size_t c = 0; c < 3; ++c)
+        numbers_.momentum_drift = std::max(numbers_.momentum_drift, std::abs(tally.momentum[c] - numbers_.given_momentum[c]));
+}
+
+template <class S>
+Conservation SceneSimulation<S>::conservation() const {
+    const auto relative = [](double drift, double scale) { return scale > 0 ? drift / scale : 0; };
+    return {relative(std::abs(mass() + numbers_.lost_mass - numbers_.first_mass), numbers_.first_mass),
+            relative(numbers_.momentum_drift, numbers_.largest_momentum),
+            relative(numbers_.energy_drift, numbers_.largest_energy), numbers_.lost_mass};
+}
+
+template <class S>
+void SceneSimulation<S>::remove_strays() {
+    const std::vector<Stray> strays = engine_.strays();
+    if (strays.empty()) return;
+    const Stray& first = strays.front();
+    if (!deletes_strays_ || !assembly_.bodies[first.body].position(first.particle).allFinite())
+        throw Breakdown(describe_stray({step_, time_, next_time_step()}, assembly_.bodies[first.body], first.particle, engine_.patch()));
+
+    for (std::size_t b = 0, s = 0; b < assembly_.bodies.size(); ++b) {
+        Particles<S>& particles = assembly_.bodies[b];
+        std::vector<Index> kept;
+        for (Index p = 0; p < particles.size(); ++p) {
+            if (s >= strays.size() || strays[s].body != b || strays[s].particle != p) {
+                kept.push_back(p);
+                continue;
+            }
+            ++s;
+            const auto m = static_cast<double>(particles.column(Field::mass)[p]);
+            const typename S::Vector v = particles.velocity(p);
+            numbers_.lost_mass += m;
+            for (int a = 0; a < S::dimension; ++a) numbers_.given_momentum[static_cast<std::size_t>(a)] -= m * static_cast<double>(v[a]);
+            numbers_.external -= m * static_cast<double>(v.squaredNorm()) / 2;
+        }
+        if (static_cast<Index>(kept.size()) == particles.size()) continue;
+        particles.permute(kept);
+        engine_.forget(b);
+    }
+    if (warnings_.empty() || warnings_.front().find("deleted") == std::string::npos)
+        warnings_.insert(warnings_.begin(), "particles that left the grid are deleted, first in step " + std::to_string(step_) +
+                                                "; summary.json has the lost mass");
+}
+
+template <class S>
+void SceneSimulation<S>::guard_step(double dt) {
+    if (on_unstable_step_ == "ignore" || dt <= stable_step() * (1 + 1e-9)) return;
+    const std::string text = describe_unstable_step({step_, time_, dt}, stable_step(), numbers_.wave_speed, numbers_.particle_speed);
+    if (on_unstable_step_ == "error") throw Breakdown(text);
+    if (warnings_.empty() || warnings_.back().find("stable") == std::string::npos) warnings_.push_back(text);
+}
+
+#define MATPOINT_INSTANTIATE(S)                                                          \
+    template SceneSimulation<S>::SceneSimulation(const Scene&, PluginCatalogue&);        \
+    template bool SceneSimulation<S>::finished() const;                                  \
+    template void SceneSimulation<S>::advance();                                         \
+    template double SceneSimulation<S>::next_time_step() const;                          \
+    template long SceneSimulation<S>::estimated_steps() const;                           \
+    template Conservation SceneSimulation<S>::conservation() const;
+MATPOINT_FOR_EACH_SPACE(MATPOINT_INSTANTIATE)
+
+std::unique_ptr<Simulation> Simulation::create(const Scene& scene, PluginCatalogue& catalogue) {
+    return with_space(scene.space, [&]<class S>() -> std::unique_ptr<Simulation> {
+        return std::make_unique<SceneSimulation<S>>(scene, catalogue);
+    });
+}
+
+}  // namespace matpoint

@@ -1,0 +1,84 @@
+#pragma once
+
+#include "run/assemble.hpp"
+#include "run/health.hpp"
+
+#include <algorithm>
+
+namespace matpoint {
+
+/// A Simulation in one space.
+template <class S>
+class SceneSimulation final : public Simulation {
+  public:
+    SceneSimulation(const Scene& scene, PluginCatalogue& catalogue);
+
+    bool finished() const override;
+    void advance() override;
+    double next_time_step() const override;
+    long estimated_steps() const override;
+
+    CheckpointData state() const override;
+    void restore(const CheckpointData& state) override;
+
+    Conservation conservation() const override;
+    std::size_t particle_count() const override;
+    std::size_t bytes_per_particle() const override;
+    std::size_t memory_bytes() const override;
+    std::vector<std::string> particle_fields() const override;
+    std::vector<std::string> node_fields() const override;
+    const std::vector<ScheduledOutput>& outputs() const override { return assembly_.outputs; }
+    const std::vector<std::string>& health_warnings() const override { return warnings_; }
+
+    std::string title() const override { return title_; }
+    double time() const override { return time_; }
+    long step() const override { return step_; }
+    double time_step() const override { return last_time_step_; }
+    SpaceId space() const override { return SpaceId::of<S>(); }
+    std::vector<std::string> bodies() const override;
+    std::size_t particle_count(const std::string& body) const override;
+    std::vector<std::string> fields(const std::string& body) const override;
+    int components(const std::string& body, const std::string& field) const override;
+    std::vector<double> column(const std::string& body, const std::string& field, int component) const override;
+    Energies energies() const override { return {engine_.tally().kinetic, numbers_.strain, numbers_.external}; }
+    double mass() const override;
+    std::array<double, 3> momentum() const override { return engine_.tally().momentum; }
+    std::array<double, 3> reaction(const std::string& boundary_condition) const override;
+
+  private:
+    /// What is added up over the run, and what the next step needs beyond the particles.
+    struct Numbers {
+        double strain = 0, external = 0;                    // J
+        double first_energy = 0, largest_energy = 0, energy_drift = 0;
+        double first_mass = 0, lost_mass = 0;               // kg
+        std::array<double, 3> given_momentum{};             // kg m/s, at the start and by all impulses since
+        double largest_momentum = 0, momentum_drift = 0;
+        double wave_speed = 0, particle_speed = 0;          // m/s
+        /// Every number by name, for checkpoints.
+        template <class Numbers_, class Visitor>
+        static void visit(Numbers_& n, const Visitor& visitor);
+    };
+
+    const Particles<S>& body(const std::string& name) const;
+    double stable_step() const;
+    void remove_strays();
+    void guard_step(double dt);
+    void account();
+
+    std::string title_, scene_text_, folder_;
+    std::map<std::string, std::string> plugins_;
+    double end_, step_length_ = 0, cfl_ = 0;
+    long max_steps_;
+    bool guarded_, deletes_strays_;
+    std::string on_unstable_step_;
+    Assembly<S> assembly_;
+    Engine<S> engine_;
+    double smallest_cell_;
+
+    long step_ = 0;
+    double time_ = 0, last_time_step_ = 0;
+    Numbers numbers_;
+    std::vector<std::string> warnings_;
+};
+
+}  // namespace matpoint

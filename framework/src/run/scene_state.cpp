@@ -1,0 +1,194 @@
+// What a SceneSimulation shows to outputs, and its state as a checkpoint holds it.
+#include "run/derived_fields.hpp"
+#include "run/scene_simulation.hpp"
+
+#include <fmt/format.h>
+
+namespace matpoint {
+
+template <class S>
+const Particles<S>& SceneSimulation<S>::body(const std::string& name) const {
+    for (const Particles<S>& particles : assembly_.bodies)
+        if (particles.body() == name) return particles;
+    throw std::invalid_argument("there is no body \"" + name + "\"");
+}
+
+template <class S>
+std::vector<std::string> SceneSimulation<S>::bodies() const {
+    std::vector<std::string> names;
+    for (const Particles<S>& particles : assembly_.bodies) names.push_back(particles.body());
+    return names;
+}
+
+template <class S>
+std::size_t SceneSimulation<S>::particle_count(const std::string& name) const {
+    return static_cast<std::size_t>(body(name).size());
+}
+
+template <class S>
+std::size_t SceneSimulation<S>::particle_count() const {
+    std::size_t count = 0;
+    for (const Particles<S>& particles : assembly_.bodies) count += static_cast<std::size_t>(particles.size());
+    return count;
+}
+
+template <class S>
+std::vector<std::string> SceneSimulation<S>::fields(const std::string& name) const {
+    return field_names(body(name));
+}
+
+template <class S>
+int SceneSimulation<S>::components(const std::string& name, const std::string& field) const {
+    return field_components(body(name), field);
+}
+
+template <class S>
+std::vector<double> SceneSimulation<S>::column(const std::string& name, const std::string& field, int component) const {
+    const Particles<S>& particles = body(name);
+    const int components = field_components(particles, field);
+    if (component < 0 || component >= components)
+        throw std::invalid_argument(fmt::format("particles of body \"{}\" have no component {} of \"{}\"", name, component, field));
+    return field_column(particles, field, component);
+}
+
+template <class S>
+double SceneSimulation<S>::mass() const {
+    double sum = 0;
+    for (const Particles<S>& particles : assembly_.bodies) {
+        // By id where there are ids, so that sorting does not change the rounding.
+        const std::vector<double> masses = field_column(particles, "mass", 0);
+        double own = 0;
+        for (const double m : masses) own += m;
+        sum += own;
+    }
+    return sum;
+}
+
+template <class S>
+std::array<double, 3> SceneSimulation<S>::reaction(const std::string& boundary_condition) const {
+    std::array<double, 3> sum{};
+    const auto& conditions = assembly_.components.conditions;
+    for (std::size_t k = 0; k < conditions.size(); ++k)
+        if (conditions[k].name == boundary_condition)
+            for (std::size_t c = 0; c < 3; ++c) sum[c] += engine_.tally().reactions[k][c];
+    return sum;
+}
+
+template <class S>
+std::size_t SceneSimulation<S>::bytes_per_particle() const {
+    std::size_t bytes = 0;
+    for (const Particles<S>& particles : assembly_.bodies)
+        bytes += particles.bytes_per_particle() * static_cast<std::size_t>(particles.size());
+    return particle_count() == 0 ? 0 : (bytes + particle_count() - 1) / particle_count();
+}
+
+template <class S>
+std::size_t SceneSimulation<S>::memory_bytes() const {
+    return bytes_per_particle() * particle_count() + engine_.patch().bytes();
+}
+
+template <class S>
+std::vector<std::string> SceneSimulation<S>::particle_fields() const {
+    std::vector<std::string> names;
+    const auto add = [&](const std::string& name) {
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    };
+    for (const Particles<S>& particles : assembly_.bodies) {
+        for (int slot = 0; slot < particles.field_count(); ++slot) add(particles.name(slot));
+        if (particles.has(Field::id)) add("id");
+    }
+    return names;
+}
+
+template <class S>
+std::vector<std::string> SceneSimulation<S>::node_fields() const {
+    std::vector<std::string> names;
+    for (int f = 0; f < matpoint::node_fields; ++f)
+        if (const auto field = static_cast<NodeField>(f); engine_.patch().has(field)) names.emplace_back(node_field_name(field));
+    return names;
+}
+
+template <class S>
+template <class Numbers_, class Visitor>
+void SceneSimulation<S>::Numbers::visit(Numbers_& n, const Visitor& visitor) {
+    visitor("strain", n.strain);
+    visitor("external", n.external);
+    visitor("first_energy", n.first_energy);
+    visitor("largest_energy", n.largest_energy);
+    visitor("energy_drift", n.energy_drift);
+    visitor("first_mass", n.first_mass);
+    visitor("lost_mass", n.lost_mass);
+    visitor("largest_momentum", n.largest_momentum);
+    visitor("momentum_drift", n.momentum_drift);
+    visitor("wave_speed", n.wave_speed);
+    visitor("particle_speed", n.particle_speed);
+    for (std::size_t c = 0; c < 3; ++c) visitor(fmt::format("given_momentum_{}", c), n.given_momentum[c]);
+}
+
+template <class S>
+CheckpointData SceneSimulation<S>::state() const {
+    CheckpointData data;
+    data.scene = scene_text_;
+    data.folder = folder_;
+    data.step = step_;
+    data.time = time_;
+    data.plugins = plugins_;
+    data.numbers["last_time_step"] = last_time_step_;
+    Numbers::visit(numbers_, [&](const std::string& name, const double& value) { data.numbers[name] = value; });
+    for (std::size_t b = 0; b < assembly_.bodies.size(); ++b) {
+        const Particles<S>& particles = assembly_.bodies[b];
+        CheckpointData::Body body;
+        body.name = particles.body();
+        body.size = particles.size();
+        for (int slot = 0; slot < particles.field_count(); ++slot)
+            for (int c = 0; c < particles.components(slot); ++c) {
+                const auto* column = particles.column(slot, c);
+                body.columns.push_back({particles.name(slot), c, std::vector(column, column + particles.size())});
+            }
+        body.ids = particles.ids();
+        for (const BlockRange& range : engine_.ordering().ranges(b)) {
+            body.block_numbers.push_back(range.block);
+            body.block_begins.push_back(range.begin);
+        }
+        data.bodies.push_back(std::move(body));
+    }
+    return data;
+}
+
+template <class S>
+void SceneSimulation<S>::restore(const CheckpointData& data) {
+    using Real = typename S::Real;
+    step_ = data.step;
+    time_ = data.time;
+    last_time_step_ = data.numbers.at("last_time_step");
+    Numbers::visit(numbers_, [&](const std::string& name, double& value) { value = data.numbers.at(name); });
+    for (std::size_t b = 0; b < assembly_.bodies.size(); ++b) {
+        Particles<S>& particles = assembly_.bodies[b];
+        const auto body = std::find_if(data.bodies.begin(), data.bodies.end(),
+                                       [&](const CheckpointData::Body& candidate) { return candidate.name == particles.body(); });
+        if (body == data.bodies.end()) throw CheckpointError("the checkpoint has no body \"" + particles.body() + "\"");
+        particles.resize(static_cast<Index>(body->size));
+        for (const CheckpointData::Column& column : body->columns) {
+            const int slot = particles.slot(column.field);
+            const auto* values = std::get_if<std::vector<Real>>(&column.values);
+            if (slot < 0) continue;  // an output that is no longer there asked for it
+            if (!values || column.component >= particles.components(slot))
+                throw CheckpointError("field \"" + column.field + "\" in the checkpoint is of another space or precision");
+            std::copy(values->begin(), values->end(), particles.column(slot, column.component));
+        }
+        if (particles.has(Field::id) && !body->ids.empty()) particles.ids() = body->ids;
+        std::vector<BlockRange> ranges;
+        for (std::size_t r = 0; r < body->block_numbers.size(); ++r) {
+            const bool last = r + 1 == body->block_numbers.size();
+            ranges.push_back({body->block_numbers[r], static_cast<Index>(body->block_begins[r]),
+                              static_cast<Index>(last ? body->size : body->block_begins[r + 1])});
+        }
+        engine_.restore(b, std::move(ranges));
+    }
+    engine_.measure();
+}
+
+#define MATPOINT_INSTANTIATE(S) template class SceneSimulation<S>;
+MATPOINT_FOR_EACH_SPACE(MATPOINT_INSTANTIATE)
+
+}  // namespace matpoint

@@ -1,0 +1,91 @@
+#include "run/summary.hpp"
+
+#include <matpoint/parallel.hpp>
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+namespace matpoint {
+
+namespace {
+
+std::size_t peak_memory_bytes() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+}
+
+const char* name(RunStatus status) {
+    switch (status) {
+        case RunStatus::completed: return "completed";
+        case RunStatus::broke_down: return "broke_down";
+        case RunStatus::interrupted:
+        case RunStatus::unfinished: break;
+    }
+    return "interrupted";
+}
+
+}  // namespace
+
+Json summarise(const Simulation& simulation, const PluginCatalogue& catalogue, const RunClock& clock, const RunResult& result) {
+    const Conservation conservation = simulation.conservation();
+    const Energies energies = simulation.energies();
+    const auto momentum = simulation.momentum();
+    Json summary = {
+        {"title", simulation.title()},
+        {"status", name(result.status)},
+        {"particles", simulation.particle_count()},
+        {"steps", simulation.step()},
+        {"time", simulation.time()},
+        {"wall_seconds", clock.step_wall_seconds},
+        {"cpu_seconds", clock.step_cpu_seconds},
+        {"nanoseconds_per_particle_step", clock.particle_steps > 0 ? 1e9 * clock.step_wall_seconds / clock.particle_steps : 0.0},
+        {"threads", threads()},
+        {"bytes_per_particle", simulation.bytes_per_particle()},
+        {"peak_memory_bytes", peak_memory_bytes()},
+        {"loaded_plugins", Json::array()},
+        {"particle_fields", simulation.particle_fields()},
+        {"node_fields", simulation.node_fields()},
+        {"conservation",
+         {{"mass_drift", conservation.mass_drift},
+          {"momentum_drift", conservation.momentum_drift},
+          {"energy_drift", conservation.energy_drift},
+          {"lost_mass", conservation.lost_mass}}},
+        {"final",
+         {{"mass", simulation.mass()},
+          {"momentum", std::vector<double>(momentum.begin(), momentum.begin() + simulation.space().dimension())},
+          {"kinetic_energy", energies.kinetic},
+          {"strain_energy", energies.strain},
+          {"external_work", energies.external}}},
+    };
+    for (const PluginLibrary& plugin : catalogue.opened()) summary["loaded_plugins"].push_back(plugin.name());
+    if (!result.reason.empty()) summary["reason"] = result.reason;
+    if (!simulation.health_warnings().empty()) summary["warnings"] = simulation.health_warnings();
+    return summary;
+}
+
+Json with_plugins(Json resolved, const PluginCatalogue& catalogue) {
+    Json& plugins = resolved["resolved_with"] = Json::object();
+    for (const PluginLibrary& plugin : catalogue.opened()) plugins[plugin.name()] = plugin.version();
+    return resolved;
+}
+
+void print_closing_table(const Simulation& simulation, const RunResult& result) {
+    const Json& s = result.summary;
+    const auto& final_values = s.at("final");
+    const auto& conservation = s.at("conservation");
+    fmt::print("{}: {} steps to t = {:.6g} s, {} particles, {:.3g} s ({:.1f} ns per particle and step, {} B per particle)\n",
+               s.at("status").get<std::string>(), simulation.step(), simulation.time(), simulation.particle_count(),
+               s.at("wall_seconds").get<double>(), s.at("nanoseconds_per_particle_step").get<double>(), simulation.bytes_per_particle());
+    fmt::print("  {:<14} {:>14} {:>12}\n", "", "at the end", "drift");
+    fmt::print("  {:<14} {:>14.6g} {:>12.2e}\n", "mass", final_values.at("mass").get<double>(), conservation.at("mass_drift").get<double>());
+    const auto momentum = simulation.momentum();
+    for (int a = 0; a < simulation.space().dimension(); ++a)
+        fmt::print("  {:<14} {:>14.6g} {:>12}\n", fmt::format("momentum {}", "xyz"[a]), momentum[static_cast<std::size_t>(a)],
+                   a == 0 ? fmt::format("{:.2e}", conservation.at("momentum_drift").get<double>()) : "");
+    const Energies e = simulation.energies();
+    fmt::print("  {:<14} {:>14.6g}\n  {:<14} {:>14.6g}\n  {:<14} {:>14.6g}\n  {:<14} {:>14.6g} {:>12.2e}\n", "kinetic", e.kinetic,
+               "strain", e.strain, "external", e.external, "energy balance", e.total(), conservation.at("energy_drift").get<double>());
+}
+
+}  // namespace matpoint

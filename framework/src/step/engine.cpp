@@ -1,0 +1,215 @@
+#include "step/engine.hpp"
+
+#include <matpoint/parallel.hpp>
+
+#include <algorithm>
+
+namespace matpoint {
+
+namespace {
+/// Nodes below this part of the largest particle's mass neither move nor are read.
+constexpr double mass_cutoff = 1e-13;
+constexpr Index nodes_per_task = 8192;
+}  // namespace
+
+template <class S>
+Engine<S>::Engine(Components<S> components, std::vector<Particles<S>>& bodies, std::vector<int> first_states)
+    : components_(std::move(components)),
+      bodies_(bodies),
+      first_states_(std::move(first_states)),
+      patch_(components_.grid->patch()),
+      ordering_(bodies.size()),
+      walls_(components_.conditions) {
+    if (!components_.loads.empty()) patch_.require(NodeField::external_force);
+    for (const NodeField field : components_.integrator->node_fields()) patch_.require(field);
+    for (const Particles<S>& particles : bodies_) {
+        const Real* mass = particles.column(Field::mass);
+        for (Index p = 0; p < particles.size(); ++p) largest_mass_ = std::max(largest_mass_, static_cast<double>(mass[p]));
+    }
+    tally_.reactions.resize(walls_.conditions().size());
+}
+
+template <class S>
+void Engine<S>::step(long number, double time, double dt) {
+    number_ = number;
+    time_ = time;
+    dt_ = dt;
+    faults_.clear();
+    tally_.strain_work = tally_.external_work = 0;
+    tally_.impulse = {};
+    for (auto& reaction : tally_.reactions) reaction = {};
+
+    for (Particles<S>& particles : bodies_) components_.shape->start_step(patch_, particles);
+    if (ordering_.update(patch_, bodies_, *components_.shape) || !located_) {
+        patch_.set_blocks(ordering_.blocks(patch_));
+        walls_.locate(patch_);
+        inside_.resize(static_cast<std::size_t>(patch_.node_count()));
+        for (int i = 0; i < static_cast<int>(patch_.node_count()); ++i)
+            inside_[static_cast<std::size_t>(i)] = patch_.inside(patch_.node_coordinates(i));
+        located_ = true;
+    }
+    components_.integrator->step(*this, static_cast<Real>(dt));
+}
+
+template <class S>
+Index Engine<S>::node_tasks() const {
+    return (patch_.node_count() + nodes_per_task - 1) / nodes_per_task;
+}
+
+template <class S>
+int Engine<S>::affine_slot(const Particles<S>& particles) const {
+    const auto field = components_.transfer->affine();
+    return field ? particles.slot(*field) : -1;
+}
+
+template <class S>
+void Engine<S>::scatter(const Scatter& request) {
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        Scatter own = request;
+        own.affine_slot = request.momentum ? affine_slot(bodies_[b]) : -1;
+        const auto& ranges = ordering_.ranges(b);
+        for (const std::vector<Index>& colour : ordering_.colours(b))
+            parallel_for(static_cast<Index>(colour.size()), [&](Index k) {
+                const BlockRange& range = ranges[static_cast<std::size_t>(colour[static_cast<std::size_t>(k)])];
+                components_.shape->scatter(patch_, bodies_[b], range.begin, range.end, own);
+            });
+    }
+}
+
+template <class S>
+void Engine<S>::project(typename Phases<S>::Projection projection) {
+    Scatter request;
+    if (projection.velocity) {
+        request.mass = true;
+        request.momentum = NodeField::velocity;
+        patch_.clear(NodeField::mass);
+        patch_.clear(NodeField::velocity);
+    }
+    if (projection.internal_force) {
+        request.internal_force = true;
+        patch_.clear(NodeField::force);
+    }
+    scatter(request);
+    if (projection.velocity) {
+        apply_loads();  // while mass is what the particles gave, not yet folded
+        walls_.fold_mass(patch_);
+        walls_.fold_momentum(patch_, NodeField::velocity, time_);
+        // A transfer that replaces particle velocities lets walls stop momentum here already; the
+        // momentum itself is kept in the acceleration until that is counted.
+        const Real share = components_.transfer->grid_share();
+        if (share > 0)
+            for (int c = 0; c < S::dimension; ++c)
+                std::copy_n(patch_.column(NodeField::velocity, c), patch_.node_count(),
+                            patch_.column(NodeField::acceleration, c));
+        finish_velocity(NodeField::velocity, time_);
+        if (share > 0) add_reactions(NodeField::acceleration, NodeField::velocity, static_cast<double>(share), time_);
+    }
+    if (projection.internal_force) walls_.fold_force(patch_, NodeField::force);
+}
+
+template <class S>
+void Engine<S>::apply_loads() {
+    if (components_.loads.empty()) return;
+    patch_.clear(NodeField::external_force);
+    LoadContext<S> context{time_, patch_, bodies_, *components_.shape};
+    for (const auto& load : components_.loads) load->apply(context);
+    for (int c = 0; c < S::dimension; ++c) {
+        const Real* force = patch_.column(NodeField::external_force, c);
+        double total = 0;
+        for (Index i = 0; i < patch_.node_count(); ++i) total += static_cast<double>(force[i]);
+        load_force_[static_cast<std::size_t>(c)] = total;
+    }
+    walls_.fold_force(patch_, NodeField::external_force);
+}
+
+template <class S>
+void Engine<S>::finish_velocity(NodeField field, double time) {
+    const Real* mass = patch_.column(NodeField::mass);
+    const Real cutoff = static_cast<Real>(mass_cutoff * largest_mass_);
+    for (int c = 0; c < S::dimension; ++c) {
+        Real* v = patch_.column(field, c);
+        parallel_for(node_tasks(), [&](Index k) {
+            const Index end = std::min(patch_.node_count(), (k + 1) * nodes_per_task);
+            for (Index i = k * nodes_per_task; i < end; ++i) v[i] = mass[i] > cutoff ? v[i] / mass[i] : Real(0);
+        });
+    }
+    walls_.constrain(patch_, field, time);
+    walls_.fill_velocity(patch_, field, time);
+}
+
+template <class S>
+void Engine<S>::accelerate(Real dt, Real factor) {
+    const bool loaded = !components_.loads.empty();
+    const Real* mass = patch_.column(NodeField::mass);
+    const Real cutoff = static_cast<Real>(mass_cutoff * largest_mass_);
+    const double end_time = time_ + dt_;
+
+    for (int c = 0; c < S::dimension; ++c) {
+        Real* f = patch_.column(NodeField::force, c);
+        Real* a = patch_.column(NodeField::acceleration, c);
+        Real* v = patch_.column(NodeField::velocity, c);
+        const Real* external = loaded ? patch_.column(NodeField::external_force, c) : nullptr;
+        parallel_for(node_tasks(), [&](Index k) {
+            const Index end = std::min(patch_.node_count(), (k + 1) * nodes_per_task);
+            for (Index i = k * nodes_per_task; i < end; ++i) {
+                f[i] = factor * (external ? f[i] + external[i] : f[i]);
+                a[i] = mass[i] > cutoff ? f[i] / mass[i] : Real(0);
+                v[i] += a[i] * dt;
+            }
+        });
+    }
+    walls_.constrain_acceleration(patch_, time_, dt_);
+    walls_.constrain(patch_, NodeField::velocity, end_time);
+    walls_.fill_acceleration(patch_, time_, dt_);
+    walls_.fill_velocity(patch_, NodeField::velocity, end_time);
+    add_reactions(NodeField::force, NodeField::acceleration, dt_, end_time);
+    if (loaded) add_load_work(dt, factor);
+}
+
+template <class S>
+void Engine<S>::add_load_work(Real dt, Real factor) {
+    // Folding is the transpose of filling, so the nodes within see all of the loads' work.
+    node_sums_.assign(static_cast<std::size_t>(node_tasks()), 0.0);
+    for (int c = 0; c < S::dimension; ++c) {
+        const Real* a = patch_.column(NodeField::acceleration, c);
+        const Real* v = patch_.column(NodeField::velocity, c);
+        const Real* external = patch_.column(NodeField::external_force, c);
+        parallel_for(node_tasks(), [&](Index k) {
+            const Index end = std::min(patch_.node_count(), (k + 1) * nodes_per_task);
+            double sum = 0;
+            for (Index i = k * nodes_per_task; i < end; ++i)
+                if (inside_[static_cast<std::size_t>(i)]) sum += static_cast<double>(external[i] * (v[i] - a[i] * dt / 2));
+            node_sums_[static_cast<std::size_t>(k)] += sum;
+        });
+        tally_.impulse[static_cast<std::size_t>(c)] += static_cast<double>(factor) * load_force_[static_cast<std::size_t>(c)] * dt_;
+    }
+    for (const double sum : node_sums_) tally_.external_work += static_cast<double>(factor) * sum * dt_;
+}
+
+template <class S>
+void Engine<S>::add_reactions(NodeField source, NodeField value, double share, double time) {
+    if (walls_.conditions().empty()) return;
+    std::vector<typename Walls<S>::Sum> sums(walls_.conditions().size());
+    walls_.reaction(patch_, source, value, time, sums);
+    for (std::size_t k = 0; k < sums.size(); ++k) {
+        tally_.external_work += sums[k].power * share;
+        for (std::size_t c = 0; c < S::dimension; ++c) {
+            tally_.impulse[c] += sums[k].total[c] * share;
+            tally_.reactions[k][c] += sums[k].total[c] * share / dt_;
+        }
+    }
+}
+
+template <class S>
+void Engine<S>::remap() {
+    patch_.clear(NodeField::remapped_velocity);
+    scatter({.momentum = NodeField::remapped_velocity});
+    const double end_time = time_ + dt_;
+    walls_.fold_momentum(patch_, NodeField::remapped_velocity, end_time);
+    finish_velocity(NodeField::remapped_velocity, end_time);
+}
+
+#define MATPOINT_INSTANTIATE(S) template class Engine<S>;
+MATPOINT_FOR_EACH_SPACE(MATPOINT_INSTANTIATE)
+
+}  // namespace matpoint

@@ -1,0 +1,121 @@
+#pragma once
+
+#include <matpoint/integrator.hpp>
+#include <matpoint/load.hpp>
+#include <matpoint/material.hpp>
+#include <matpoint/transfer.hpp>
+
+#include "step/ordering.hpp"
+#include "step/walls.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace matpoint {
+
+/// The components of a scene that take part in a step.
+template <class S>
+struct Components {
+    std::shared_ptr<Grid<S>> grid;
+    std::shared_ptr<ShapeFunction<S>> shape;
+    std::shared_ptr<Transfer<S>> transfer;
+    std::shared_ptr<Integrator<S>> integrator;
+    std::vector<std::shared_ptr<Material<S>>> materials;  ///< one per body
+    std::vector<std::shared_ptr<Load<S>>> loads;
+    std::vector<PlacedCondition<S>> conditions;
+};
+
+/// A particle whose deformation or velocity stopped making sense in a step.
+struct Fault {
+    std::size_t body;
+    Index particle;
+    bool finite;         ///< true: its volume turned to zero or below; false: not finite
+    double volume_ratio; ///< of the step
+};
+
+/// What a step added up.
+struct Tally {
+    double kinetic = 0;                       ///< J, at the end of the step
+    double strain_work = 0;                   ///< J, done by the stress in the step
+    double external_work = 0;                 ///< J, by loads and moving boundaries in the step
+    std::array<double, 3> momentum{};         ///< kg m/s, at the end of the step
+    double momentum_scale = 0;                ///< sum m |v|
+    std::array<double, 3> impulse{};          ///< N s, of loads and boundaries in the step
+    double largest_speed = 0;                 ///< of a particle, m/s
+    double largest_wave_speed = 0;            ///< m/s
+    std::vector<std::array<double, 3>> reactions;  ///< N, by boundary condition
+};
+
+/// The part of a tally that one task over particles adds up.
+struct Partial {
+    double kinetic = 0, momentum_scale = 0, strain_work = 0;
+    std::array<double, 3> momentum{};
+    double largest_speed = 0, largest_wave_speed = 0;
+    std::optional<Fault> fault{};
+};
+
+/// Carries out the phases of a step on the particles and the nodes. Sums are formed in an order that
+/// does not depend on the number of threads.
+template <class S>
+class Engine final : public Phases<S> {
+  public:
+    using Real = typename S::Real;
+
+    Engine(Components<S> components, std::vector<Particles<S>>& bodies, std::vector<int> first_states);
+
+    /// Particles off the grid, to be dealt with before step().
+    std::vector<Stray> strays() const { return ordering_.strays(patch_, bodies_); }
+    /// One step of length dt (s) from `time` (s). What went wrong is in faults().
+    void step(long number, double time, double dt);
+    const Tally& tally() const { return tally_; }
+    const std::vector<Fault>& faults() const { return faults_; }
+    /// Kinetic energy, momentum and speeds of the present state, before the first step.
+    void measure();
+
+    const Ordering<S>& ordering() const { return ordering_; }
+    void restore(std::size_t body, std::vector<BlockRange> ranges) {
+        ordering_.restore(patch_, body, std::move(ranges));
+        located_ = false;
+    }
+    void forget(std::size_t body) { ordering_.forget(body); }
+    const Patch<S>& patch() const { return patch_; }
+
+    long step_number() const override { return number_; }
+    void project(typename Phases<S>::Projection projection) override;
+    void accelerate(Real dt, Real factor) override;
+    void remap() override;
+    void update(typename Phases<S>::Update update, Real dt) override;
+
+  private:
+    class BatchUpdate;
+
+    void scatter(const Scatter& request);
+    int affine_slot(const Particles<S>& particles) const;
+    void apply_loads();
+    /// Momentum to velocity, zero where there is hardly any mass; then walls, at `time`.
+    void finish_velocity(NodeField field, double time);
+    void add_load_work(Real dt, Real factor);
+    void add_reactions(NodeField source, NodeField value, double share, double time);
+    Index node_tasks() const;
+    void collect(bool velocity, bool stress);
+
+    Components<S> components_;
+    std::vector<Particles<S>>& bodies_;
+    std::vector<int> first_states_;
+    Patch<S>& patch_;
+    Ordering<S> ordering_;
+    Walls<S> walls_;
+    bool located_ = false;
+    double largest_mass_ = 0;
+    std::vector<char> inside_;                 ///< by node: on or within the grid's faces
+    std::array<double, 3> load_force_{};       ///< N, sum of the external forces
+    std::vector<double> node_sums_;            ///< by task over nodes
+    std::vector<Partial> partials_;            ///< by task over particles
+
+    long number_ = 0;
+    double time_ = 0, dt_ = 0;
+    Tally tally_;
+    std::vector<Fault> faults_;
+};
+
+}  // namespace matpoint

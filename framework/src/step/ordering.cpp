@@ -1,0 +1,160 @@
+#include "step/ordering.hpp"
+
+#include <matpoint/parallel.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <numeric>
+
+namespace matpoint {
+
+namespace {
+constexpr Index chunk = 4096;  // particles handled per task and per call of base_nodes
+}
+
+template <class S>
+std::vector<Stray> Ordering<S>::strays(const Patch<S>& patch, const std::vector<Particles<S>>& bodies) const {
+    std::vector<Stray> found;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        const Index n = bodies[b].size();
+        std::vector<std::vector<Stray>> by_chunk(static_cast<std::size_t>((n + chunk - 1) / chunk));
+        parallel_for(static_cast<Index>(by_chunk.size()), [&](Index k) {
+            const Index end = std::min(n, (k + 1) * chunk);
+            for (int a = 0; a < S::dimension; ++a) {
+                const auto* x = bodies[b].column(Field::position, a);
+                const auto low = patch.min()[a];
+                const auto high = patch.node_position(patch.cells())[a];
+                for (Index p = k * chunk; p < end; ++p)
+                    if (!(x[p] >= low && x[p] <= high)) by_chunk[static_cast<std::size_t>(k)].push_back({b, p});
+            }
+        });
+        for (const auto& part : by_chunk) found.insert(found.end(), part.begin(), part.end());
+    }
+    const auto less = [](const Stray& a, const Stray& b) {
+        return a.body != b.body ? a.body < b.body : a.particle < b.particle;
+    };
+    std::sort(found.begin(), found.end(), less);
+    found.erase(std::unique(found.begin(), found.end(),
+                            [](const Stray& a, const Stray& b) { return a.body == b.body && a.particle == b.particle; }),
+                found.end());
+    return found;
+}
+
+template <class S>
+bool Ordering<S>::update(const Patch<S>& patch, std::vector<Particles<S>>& bodies, const ShapeFunction<S>& shape) {
+    bool sorted = false;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        const Index covered = ranges_[b].empty() ? 0 : ranges_[b].back().end;
+        if (covered == bodies[b].size() && !strayed(patch, bodies[b], ranges_[b], shape)) continue;
+        sort(patch, bodies[b], ranges_[b], shape);
+        colour(patch, b);
+        sorted = true;
+    }
+    return sorted;
+}
+
+template <class S>
+bool Ordering<S>::strayed(const Patch<S>& patch, const Particles<S>& particles, const Ranges& ranges,
+                          const ShapeFunction<S>& shape) const {
+    std::atomic<bool> found = false;
+    parallel_for(static_cast<Index>(ranges.size()), [&](Index r) {
+        const BlockRange& range = ranges[static_cast<std::size_t>(r)];
+        const auto block = patch.block_coordinates(range.block);
+        std::array<typename Patch<S>::Coordinates, batch_size> base;
+        for (Index begin = range.begin; begin < range.end && !found; begin += batch_size) {
+            const Index end = std::min(range.end, begin + batch_size);
+            shape.base_nodes(patch, particles, begin, end, base.data());
+            bool outside = false;
+            for (Index p = begin; p < end; ++p)
+                for (std::size_t a = 0; a < S::dimension; ++a) {
+                    // Cells counted from the block's first, which stores node 4 block - 1.
+                    const int cell = base[static_cast<std::size_t>(p - begin)][a] + 1 - Patch<S>::block_edge * block[a];
+                    outside |= cell < -1 || cell > Patch<S>::block_edge;
+                }
+            if (outside) found = true;
+        }
+    });
+    return found;
+}
+
+template <class S>
+void Ordering<S>::sort(const Patch<S>& patch, Particles<S>& particles, Ranges& ranges, const ShapeFunction<S>& shape) {
+    const Index n = particles.size();
+    // Block, then base node within the block, then present place: particles of one stencil lie together.
+    std::vector<std::pair<std::int64_t, Index>> keys(static_cast<std::size_t>(n));
+    parallel_for((n + chunk - 1) / chunk, [&](Index k) {
+        const Index begin = k * chunk, end = std::min(n, begin + chunk);
+        std::vector<typename Patch<S>::Coordinates> base(static_cast<std::size_t>(end - begin));
+        shape.base_nodes(patch, particles, begin, end, base.data());
+        for (Index p = begin; p < end; ++p) {
+            const auto& node = base[static_cast<std::size_t>(p - begin)];
+            typename Patch<S>::Coordinates block;
+            int local = 0;
+            for (int a = S::dimension - 1; a >= 0; --a) {
+                const auto i = static_cast<std::size_t>(a);
+                block[i] = Patch<S>::block_of(node[i]);
+                local = local * Patch<S>::block_edge + ((node[i] + 1) & (Patch<S>::block_edge - 1));
+            }
+            keys[static_cast<std::size_t>(p)] = {std::int64_t{patch.block_number(block)} * Patch<S>::block_nodes + local, p};
+        }
+    });
+    std::sort(keys.begin(), keys.end());
+
+    std::vector<Index> order(keys.size());
+    ranges.clear();
+    for (std::size_t k = 0; k < keys.size(); ++k) {
+        order[k] = keys[k].second;
+        const int block = static_cast<int>(keys[k].first / Patch<S>::block_nodes);
+        if (ranges.empty() || ranges.back().block != block) ranges.push_back({block, static_cast<Index>(k), 0});
+        ranges.back().end = static_cast<Index>(k) + 1;
+    }
+    particles.permute(order);
+}
+
+template <class S>
+void Ordering<S>::colour(const Patch<S>& patch, std::size_t body) {
+    // A stencil may reach a block on either side, so equal colours are three blocks apart.
+    constexpr std::size_t count = S::dimension == 1 ? 3 : S::dimension == 2 ? 9 : 27;
+    colours_[body].assign(count, {});
+    for (std::size_t r = 0; r < ranges_[body].size(); ++r) {
+        const auto block = patch.block_coordinates(ranges_[body][r].block);
+        std::size_t number = 0;
+        for (std::size_t a = S::dimension; a-- > 0;) number = number * 3 + static_cast<std::size_t>(block[a] % 3);
+        colours_[body][number].push_back(static_cast<Index>(r));
+    }
+}
+
+template <class S>
+void Ordering<S>::restore(const Patch<S>& patch, std::size_t body, Ranges ranges) {
+    ranges_[body] = std::move(ranges);
+    colour(patch, body);
+}
+
+template <class S>
+std::vector<int> Ordering<S>::blocks(const Patch<S>& patch) const {
+    using Coordinates = typename Patch<S>::Coordinates;
+    std::vector<int> numbers;
+    for (const Ranges& ranges : ranges_)
+        for (const BlockRange& range : ranges) {
+            const Coordinates block = patch.block_coordinates(range.block);
+            constexpr int neighbours = S::dimension == 1 ? 3 : S::dimension == 2 ? 9 : 27;
+            for (int k = 0; k < neighbours; ++k) {
+                Coordinates neighbour = block;
+                bool exists = true;
+                for (int a = 0, rest = k; a < S::dimension; ++a, rest /= 3) {
+                    const auto i = static_cast<std::size_t>(a);
+                    neighbour[i] += rest % 3 - 1;
+                    exists = exists && neighbour[i] >= 0 && neighbour[i] < patch.blocks()[i];
+                }
+                if (exists) numbers.push_back(patch.block_number(neighbour));
+            }
+        }
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    return numbers;
+}
+
+#define MATPOINT_INSTANTIATE(S) template class Ordering<S>;
+MATPOINT_FOR_EACH_SPACE(MATPOINT_INSTANTIATE)
+
+}  // namespace matpoint

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <matpoint/shape_function.hpp>
+
+#include <vector>
+
+namespace matpoint {
+
+/// Consecutive particles whose stencils began in one block of the grid when they were last sorted.
+struct BlockRange {
+    int block;
+    Index begin, end;
+};
+
+/// A particle that is off the grid, or whose position is not finite.
+struct Stray {
+    std::size_t body;
+    Index particle;
+};
+
+/// Keeps every body's particles in the order of the blocks that their stencils begin in.
+///
+/// Between sorts a particle may stray by one cell from the block it was sorted into: stencils (up
+/// to four nodes an axis) then reach the neighbouring blocks at most. So the blocks that must exist
+/// change only when particles are sorted, and two blocks three apart never write to the same node.
+template <class S>
+class Ordering {
+  public:
+    using Ranges = std::vector<BlockRange>;
+
+    explicit Ordering(std::size_t bodies) : ranges_(bodies), colours_(bodies) {}
+
+    /// Particles outside the grid's faces.
+    std::vector<Stray> strays(const Patch<S>& patch, const std::vector<Particles<S>>& bodies) const;
+    /// Sorts the bodies if a particle has strayed too far, or never was sorted; true if it did.
+    bool update(const Patch<S>& patch, std::vector<Particles<S>>& bodies, const ShapeFunction<S>& shape);
+    /// Blocks that must exist: those with particles and all their neighbours, ascending.
+    std::vector<int> blocks(const Patch<S>& patch) const;
+
+    const Ranges& ranges(std::size_t body) const { return ranges_[body]; }
+    /// Range numbers of a body by colour: stencils of ranges of one colour never overlap, and each
+    /// node receives its sums in the order of colours, whatever the number of threads.
+    const std::vector<std::vector<Index>>& colours(std::size_t body) const { return colours_[body]; }
+
+    /// Continues with the ranges of a checkpoint.
+    void restore(const Patch<S>& patch, std::size_t body, Ranges ranges);
+    /// Sorts at the next update, whatever has moved.
+    void forget(std::size_t body) { ranges_[body].clear(); }
+
+  private:
+    bool strayed(const Patch<S>& patch, const Particles<S>& particles, const Ranges& ranges,
+                 const ShapeFunction<S>& shape) const;
+    void colour(const Patch<S>& patch, std::size_t body);
+    void sort(const Patch<S>& patch, Particles<S>& particles, Ranges& ranges, const ShapeFunction<S>& shape);
+
+    std::vector<Ranges> ranges_;
+    std::vector<std::vector<std::vector<Index>>> colours_;
+};
+
+}  // namespace matpoint

@@ -1,0 +1,222 @@
+#include "step/walls.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace matpoint {
+
+namespace {
+
+std::string face_name(int axis, int side) {
+    return std::string(1, "xyz"[axis]) + (side == 0 ? "_min" : "_max");
+}
+
+}  // namespace
+
+template <class S>
+Walls<S>::Walls(std::vector<PlacedCondition<S>> conditions) : conditions_(std::move(conditions)) {
+    for (int axis = 0; axis < S::dimension; ++axis)
+        for (int side = 0; side < 2; ++side) {
+            Face face{axis, side, {}, false, {}};
+            face.condition.fill(-1);
+            for (std::size_t k = 0; k < conditions_.size(); ++k) {
+                const auto& names = conditions_[k].faces;
+                if (std::find(names.begin(), names.end(), face_name(axis, side)) == names.end()) continue;
+                face.wall = true;
+                const auto prescribes = conditions_[k].condition->prescribes(axis);
+                for (std::size_t c = 0; c < S::dimension; ++c) {
+                    if (!prescribes[c]) continue;
+                    if (face.condition[c] >= 0)
+                        throw std::invalid_argument("two boundary conditions prescribe the " +
+                                                    std::string(1, "xyz"[c]) + " component of velocity on " +
+                                                    face_name(axis, side));
+                    face.condition[c] = static_cast<int>(k);
+                }
+            }
+            faces_.push_back(std::move(face));
+        }
+}
+
+template <class S>
+void Walls<S>::locate(const Patch<S>& patch) {
+    using Coordinates = typename Patch<S>::Coordinates;
+    prescribed_.clear();
+    for (Face& face : faces_) face.links.clear();
+
+    for (int index = 0; index < static_cast<int>(patch.node_count()); ++index) {
+        const Coordinates node = patch.node_coordinates(index);
+        for (Face& face : faces_) {
+            const auto axis = static_cast<std::size_t>(face.axis);
+            const int last = patch.cells()[axis];
+            if (node[axis] != (face.side == 0 ? -1 : last + 1)) continue;
+            // Axes are folded one after the other: those before this one have no ghosts left.
+            bool concerned = true;
+            for (std::size_t a = 0; a < S::dimension; ++a) {
+                const int margin = a > axis ? 1 : 0;
+                concerned = concerned && (a == axis || (node[a] >= -margin && node[a] <= patch.cells()[a] + margin));
+            }
+            if (!concerned) continue;
+            Coordinates edge = node, inner = node;
+            edge[axis] = face.side == 0 ? 0 : last;
+            inner[axis] = face.side == 0 ? 1 : last - 1;
+            const Link link{index, patch.node_index(edge), patch.node_index(inner), patch.node_position(edge)};
+            if (link.edge >= 0 && link.inner >= 0) face.links.push_back(link);
+        }
+        if (!patch.inside(node)) continue;
+
+        const Vector position = patch.node_position(node);
+        std::array<int, S::dimension> condition;
+        condition.fill(-1);
+        for (const Face& face : faces_) {
+            const auto axis = static_cast<std::size_t>(face.axis);
+            if (node[axis] != (face.side == 0 ? 0 : patch.cells()[axis])) continue;
+            for (std::size_t c = 0; c < S::dimension; ++c)
+                if (condition[c] < 0) condition[c] = face.condition[c];
+        }
+        Eigen::Vector3d point = Eigen::Vector3d::Zero();
+        for (int a = 0; a < S::dimension; ++a) point[a] = static_cast<double>(position[a]);
+        for (std::size_t k = 0; k < conditions_.size(); ++k) {
+            if (!conditions_[k].region || !conditions_[k].region->contains(point)) continue;
+            const auto prescribes = conditions_[k].condition->prescribes(-1);
+            for (std::size_t c = 0; c < S::dimension; ++c)
+                if (prescribes[c] && condition[c] < 0) condition[c] = static_cast<int>(k);
+        }
+        for (int c = 0; c < S::dimension; ++c)
+            if (condition[static_cast<std::size_t>(c)] >= 0)
+                prescribed_.push_back({index, c, condition[static_cast<std::size_t>(c)], position});
+    }
+}
+
+template <class S>
+typename S::Real Walls<S>::velocity(int condition, int component, const Vector& position, double time) const {
+    return conditions_[static_cast<std::size_t>(condition)].condition->velocity(position, time)[component];
+}
+
+template <class S>
+void Walls<S>::fold_mass(Patch<S>& patch) const {
+    Real* mass = patch.column(NodeField::mass);
+    for (const Face& face : faces_)
+        for (const Link& link : face.links) {
+            if (face.wall) {
+                mass[link.inner] += mass[link.ghost];
+            } else {
+                mass[link.edge] += 2 * mass[link.ghost];
+                mass[link.inner] -= mass[link.ghost];
+            }
+        }
+}
+
+template <class S>
+void Walls<S>::fold_momentum(Patch<S>& patch, NodeField momentum, double time) const {
+    fold_force(patch, momentum);
+    // The mirrored body moves with 2 V - v where the wall moves with V.
+    const Real* mass = patch.column(NodeField::mass);
+    for (const Face& face : faces_)
+        for (int c = 0; c < S::dimension; ++c) {
+            const int condition = face.condition[static_cast<std::size_t>(c)];
+            if (condition < 0) continue;
+            Real* p = patch.column(momentum, c);
+            for (const Link& link : face.links)
+                p[link.inner] += 2 * mass[link.ghost] * velocity(condition, c, link.position, time);
+        }
+}
+
+template <class S>
+void Walls<S>::fold_force(Patch<S>& patch, NodeField force) const {
+    for (const Face& face : faces_)
+        for (int c = 0; c < S::dimension; ++c) {
+            Real* f = patch.column(force, c);
+            const Real sign = face.condition[static_cast<std::size_t>(c)] >= 0 ? Real(-1) : Real(1);
+            for (const Link& link : face.links) {
+                if (face.wall) {
+                    f[link.inner] += sign * f[link.ghost];
+                } else {
+                    f[link.edge] += 2 * f[link.ghost];
+                    f[link.inner] -= f[link.ghost];
+                }
+            }
+        }
+}
+
+template <class S>
+void Walls<S>::constrain(Patch<S>& patch, NodeField field, double time) const {
+    for (const Prescribed& p : prescribed_)
+        patch.column(field, p.component)[p.node] = velocity(p.condition, p.component, p.position, time);
+}
+
+template <class S>
+void Walls<S>::constrain_acceleration(Patch<S>& patch, double time, double dt) const {
+    for (const Prescribed& p : prescribed_)
+        patch.column(NodeField::acceleration, p.component)[p.node] =
+            (velocity(p.condition, p.component, p.position, time + dt) -
+             velocity(p.condition, p.component, p.position, time)) /
+            static_cast<Real>(dt);
+}
+
+template <class S>
+template <class Value>
+void Walls<S>::fill(Patch<S>& patch, NodeField field, const Value& prescribed) const {
+    for (auto face = faces_.rbegin(); face != faces_.rend(); ++face)
+        for (int c = 0; c < S::dimension; ++c) {
+            Real* v = patch.column(field, c);
+            const int condition = face->condition[static_cast<std::size_t>(c)];
+            for (const Link& link : face->links) {
+                if (!face->wall) {
+                    v[link.ghost] = 2 * v[link.edge] - v[link.inner];
+                } else if (condition < 0) {
+                    v[link.ghost] = v[link.inner];
+                } else {
+                    v[link.ghost] = 2 * prescribed(condition, c, link.position) - v[link.inner];
+                }
+            }
+        }
+}
+
+template <class S>
+void Walls<S>::fill_velocity(Patch<S>& patch, NodeField field, double time) const {
+    fill(patch, field, [&](int condition, int c, const Vector& x) { return velocity(condition, c, x, time); });
+}
+
+template <class S>
+void Walls<S>::fill_acceleration(Patch<S>& patch, double time, double dt) const {
+    fill(patch, NodeField::acceleration, [&](int condition, int c, const Vector& x) {
+        return (velocity(condition, c, x, time + dt) - velocity(condition, c, x, time)) / static_cast<Real>(dt);
+    });
+}
+
+template <class S>
+void Walls<S>::reaction(const Patch<S>& patch, NodeField source, NodeField value, double time,
+                        std::vector<Sum>& sums) const {
+    const Real* mass = patch.column(NodeField::mass);
+    const auto add = [&](int condition, int c, double amount, const Vector& x) {
+        Sum& sum = sums[static_cast<std::size_t>(condition)];
+        sum.total[static_cast<std::size_t>(c)] += amount;
+        sum.power += amount * static_cast<double>(velocity(condition, c, x, time));
+    };
+    for (const Prescribed& p : prescribed_) {
+        const Real* s = patch.column(source, p.component);
+        const Real* v = patch.column(value, p.component);
+        add(p.condition, p.component, static_cast<double>(mass[p.node] * v[p.node] - s[p.node]), p.position);
+    }
+    // A ghost's source was taken from its image within, which is pushed the other way by as much;
+    // momentum was also given what the wall's own velocity brings (fold_momentum).
+    const Real moving = value == NodeField::acceleration ? 0 : 2;
+    for (const Face& face : faces_)
+        for (int c = 0; c < S::dimension; ++c) {
+            const int condition = face.condition[static_cast<std::size_t>(c)];
+            if (condition < 0) continue;
+            const Real* s = patch.column(source, c);
+            const Real* v = patch.column(value, c);
+            for (const Link& link : face.links)
+                add(condition, c,
+                    static_cast<double>(mass[link.ghost] * (v[link.ghost] - v[link.inner] +
+                                                            moving * velocity(condition, c, link.position, time)) -
+                                        2 * s[link.ghost]),
+                    link.position);
+        }
+}
+
+#define MATPOINT_INSTANTIATE(S) template class Walls<S>;
+MATPOINT_FOR_EACH_SPACE(MATPOINT_INSTANTIATE)
+
+}  // namespace matpoint

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <matpoint/boundary_condition.hpp>
+#include <matpoint/geometry.hpp>
+#include <matpoint/grid.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace matpoint {
+
+/// A boundary condition and where it holds.
+template <class S>
+struct PlacedCondition {
+    std::string name;
+    std::shared_ptr<BoundaryCondition<S>> condition;
+    std::vector<std::string> faces;            ///< "x_min", …; empty if it holds in a region
+    std::shared_ptr<Geometry> region;
+};
+
+/// What happens to the nodes at and beyond the grid's faces, and in regions with prescribed velocity.
+///
+/// Stencils write to a layer of ghost nodes beyond the faces. fold() brings those sums back to the
+/// nodes within, fill() gives ghosts the values that particles read:
+/// - a wall (a face with a boundary condition) mirrors: prescribed components of velocity are odd
+///   about the prescribed velocity, the others even, as if a mirrored body lay behind;
+/// - an open face extrapolates, v_-1 = 2 v_0 - v_1, which turns any basis into one that is
+///   interpolatory at the face and still reproduces linear functions.
+/// fold() is the transpose of fill(), so momentum and energy balance to rounding.
+template <class S>
+class Walls {
+  public:
+    using Real = typename S::Real;
+    using Vector = typename S::Vector;
+
+    explicit Walls(std::vector<PlacedCondition<S>> conditions);
+
+    /// Finds the nodes concerned among those that exist.
+    void locate(const Patch<S>& patch);
+
+    void fold_mass(Patch<S>& patch) const;
+    /// Folds momentum, which holds mass times velocity at `time`. Call after fold_mass.
+    void fold_momentum(Patch<S>& patch, NodeField momentum, double time) const;
+    void fold_force(Patch<S>& patch, NodeField force) const;
+
+    /// Sets prescribed components of a velocity field to their values at `time`.
+    void constrain(Patch<S>& patch, NodeField velocity, double time) const;
+    /// Sets prescribed components of the acceleration to their mean over the step.
+    void constrain_acceleration(Patch<S>& patch, double time, double dt) const;
+    void fill_velocity(Patch<S>& patch, NodeField velocity, double time) const;
+    void fill_acceleration(Patch<S>& patch, double time, double dt) const;
+
+    /// Adds to sums[k] what condition k puts into prescribed components: at a node and its ghosts
+    /// `share` of (mass value - source), source being force or momentum, value acceleration or
+    /// velocity; and the power against the prescribed velocity to `power`.
+    struct Sum {
+        std::array<double, 3> total{};
+        double power = 0;
+    };
+    void reaction(const Patch<S>& patch, NodeField source, NodeField value, double time, std::vector<Sum>& sums) const;
+
+    const std::vector<PlacedCondition<S>>& conditions() const { return conditions_; }
+
+  private:
+    struct Link {
+        int ghost, edge, inner;  ///< places of nodes -1, 0 and 1 counted inwards
+        Vector position;         ///< of the edge node
+    };
+    struct Face {
+        int axis;
+        int side;                                ///< 0: lower, 1: upper
+        std::array<int, S::dimension> condition; ///< index into conditions_ by component; -1: free
+        bool wall = false;
+        std::vector<Link> links;
+    };
+    struct Prescribed {
+        int node;
+        int component;
+        int condition;
+        Vector position;
+    };
+
+    template <class Value>
+    void fill(Patch<S>& patch, NodeField field, const Value& prescribed) const;
+    Real velocity(int condition, int component, const Vector& position, double time) const;
+
+    std::vector<PlacedCondition<S>> conditions_;
+    std::vector<Face> faces_;  ///< by axis, lower before upper
+    std::vector<Prescribed> prescribed_;
+};
+
+}  // namespace matpoint

@@ -1,0 +1,38 @@
+#include "../operands.hpp"
+
+#include <matpoint/plugin.hpp>
+
+using namespace matpoint;
+
+/// The first of its geometries without the others; see README.md.
+class Difference final : public Geometry {
+  public:
+    static Schema schema() {
+        return operands_schema("The first of some geometries without the others",
+                               "The geometry to keep, then those to cut out of it");
+    }
+    explicit Difference(const Parameters& parameters) : of_(make_operands(parameters)) {}
+
+    Bounds bounds() const override { return of_[0]->bounds(); }
+
+    bool contains(const Eigen::Vector3d& point) const override {
+        if (!of_[0]->contains(point)) return false;
+        for (std::size_t g = 1; g < of_.size(); ++g)
+            if (of_[g]->contains(point)) return false;
+        return true;
+    }
+
+    std::vector<char> contains(std::span<const Eigen::Vector3d> points) const override {
+        std::vector<char> inside = of_[0]->contains(points);
+        for (std::size_t g = 1; g < of_.size(); ++g) {
+            const std::vector<char> cut = of_[g]->contains(points);
+            for (std::size_t i = 0; i < points.size(); ++i) inside[i] = inside[i] && !cut[i];
+        }
+        return inside;
+    }
+
+  private:
+    std::vector<std::shared_ptr<Geometry>> of_;
+};
+
+MATPOINT_PLUGIN("difference", "1.0.0") { registry.geometry<Difference>("difference"); }

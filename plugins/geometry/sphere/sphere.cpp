@@ -1,0 +1,28 @@
+#include <matpoint/geometry.hpp>
+#include <matpoint/plugin.hpp>
+
+using namespace matpoint;
+
+/// A ball; see README.md.
+class Sphere final : public Geometry {
+  public:
+    static Schema schema() {
+        return Schema("Ball: a disk in 2D, an interval in 1D")
+            .vector("center", {.unit = "m", .doc = "Its centre"})
+            .number("radius", {.unit = "m", .doc = "Its radius", .greater_than = 0});
+    }
+    explicit Sphere(const Parameters& parameters)
+        : center_(Eigen::Vector3d::Map(parameters.vector("center").data())), radius_(parameters.number("radius")) {}
+
+    Bounds bounds() const override { return {center_.array() - radius_, center_.array() + radius_}; }
+
+    bool contains(const Eigen::Vector3d& point) const override {
+        return (point - center_).squaredNorm() <= radius_ * radius_;
+    }
+
+  private:
+    Eigen::Vector3d center_;  // m
+    double radius_;           // m
+};
+
+MATPOINT_PLUGIN("sphere", "1.0.0") { registry.geometry<Sphere>("sphere"); }

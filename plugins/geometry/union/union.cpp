@@ -1,0 +1,41 @@
+#include "../operands.hpp"
+
+#include <matpoint/plugin.hpp>
+
+using namespace matpoint;
+
+/// All that is in any of its geometries; see README.md.
+class Union final : public Geometry {
+  public:
+    static Schema schema() { return operands_schema("What is in any of some geometries", "The geometries to join"); }
+    explicit Union(const Parameters& parameters) : of_(make_operands(parameters)) {}
+
+    Bounds bounds() const override {
+        Bounds all = of_[0]->bounds();
+        for (const auto& geometry : of_) {
+            all.min = all.min.cwiseMin(geometry->bounds().min);
+            all.max = all.max.cwiseMax(geometry->bounds().max);
+        }
+        return all;
+    }
+
+    bool contains(const Eigen::Vector3d& point) const override {
+        for (const auto& geometry : of_)
+            if (geometry->contains(point)) return true;
+        return false;
+    }
+
+    std::vector<char> contains(std::span<const Eigen::Vector3d> points) const override {
+        std::vector<char> inside(points.size(), 0);
+        for (const auto& geometry : of_) {
+            const std::vector<char> in_one = geometry->contains(points);
+            for (std::size_t i = 0; i < points.size(); ++i) inside[i] = inside[i] || in_one[i];
+        }
+        return inside;
+    }
+
+  private:
+    std::vector<std::shared_ptr<Geometry>> of_;
+};
+
+MATPOINT_PLUGIN("union", "1.0.0") { registry.geometry<Union>("union"); }

@@ -1,0 +1,56 @@
+#include <matpoint/grid.hpp>
+#include <matpoint/plugin.hpp>
+
+#include <cmath>
+
+namespace {
+
+using namespace matpoint;
+
+/// Whether max - min is a whole number of cells on every axis, to the rounding of decimal input.
+bool fits_whole_cells(const Json& own) {
+    for (std::size_t a = 0; a < own.at("min").size(); ++a) {
+        const double cells = (own.at("max")[a].get<double>() - own.at("min")[a].get<double>()) / own.at("cell_size")[a].get<double>();
+        if (!(std::abs(cells - std::round(cells)) < 1e-6 && cells > 0.5)) return false;
+    }
+    return true;
+}
+
+/// One level of equal cells; only blocks of nodes near particles exist.
+template <class S>
+class Uniform final : public Grid<S> {
+  public:
+    static Schema schema() {
+        return Schema("One level of equal cells; blocks of nodes without particles near them take no memory")
+            .vector("min", {.unit = "m", .doc = "Lower corner"})
+            .vector("max", {.unit = "m", .doc = "Upper corner"})
+            .add("cell_size", ParameterType::per_axis, {.unit = "m", .doc = "Edge of a cell, for all axes or one per axis", .greater_than = 0})
+            .refuse("/cell_size", "max - min must be a positive whole number of cells on every axis",
+                    [](const Json& own, const Json&) { return !fits_whole_cells(own); })
+            .refuse("/min", "the first axis is the radius in an axisymmetric space: it can't start below 0",
+                    [](const Json& own, const Json& scene) {
+                        return scene.at("/space/mode"_json_pointer) == "axisymmetric" && own.at("min")[0].get<double>() < 0;
+                    });
+    }
+
+    explicit Uniform(const Parameters& parameters)
+        : patch_(parameters.vector("min"), parameters.vector("cell_size"), cells(parameters)) {}
+
+    Patch<S>& patch() override { return patch_; }
+
+  private:
+    static typename Patch<S>::Coordinates cells(const Parameters& parameters) {
+        const auto min = parameters.vector("min"), max = parameters.vector("max"), h = parameters.vector("cell_size");
+        typename Patch<S>::Coordinates cells;
+        for (std::size_t a = 0; a < S::dimension; ++a) cells[a] = static_cast<int>(std::lround((max[a] - min[a]) / h[a]));
+        return cells;
+    }
+
+    Patch<S> patch_;
+};
+
+}  // namespace
+
+MATPOINT_PLUGIN("uniform", "1.0.0") {
+    registry.grid<Uniform>("uniform");
+}

@@ -1,0 +1,157 @@
+#include "face.hpp"
+
+#include <matpoint/history.hpp>
+#include <matpoint/load.hpp>
+#include <matpoint/plugin.hpp>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace matpoint {
+
+/// A force per present area on one side of a body, carried by its boundary particles.
+template <class S>
+class Traction final : public Load<S> {
+  public:
+    using typename Load<S>::Real;
+    using typename Load<S>::Vector;
+
+    explicit Traction(const Parameters& parameters)
+        : body_(parameters.text("body")),
+          face_(parameters.text("face")),
+          thickness_(parameters.has("thickness") ? parameters.number("thickness") : 0),
+          at_surface_(parameters.text("method") == "surface_point"),
+          field_("traction_" + parameters.text("face") +
+                 (thickness_ > 0 ? "_" + parameters.json().at("thickness").dump() : std::string())),
+          history_(parameters.json().at("history")) {
+        const auto traction = parameters.vector("traction");
+        for (int a = 0; a < S::dimension; ++a) traction_[a] = traction[static_cast<std::size_t>(a)];
+    }
+
+    static Schema schema();
+
+    void declare(Particles<S>& particles) override {
+        if (particles.body() != body_) return;
+        particles.require(Field::initial_half_size);
+        area_ = particles.require(field_, 1);
+    }
+
+    /// Gives boundary particles their share of the face's area, m^2; the others have none.
+    void start(const Patch<S>&, std::span<Particles<S>> bodies) override {
+        Particles<S>& particles = body(bodies);
+        const double plane = face_.plane(particles);
+        for (Index p = 0; p < particles.size(); ++p)
+            particles.column(area_, 0)[p] =
+                static_cast<Real>(face_.initial_area(particles, p, plane, thickness_));
+    }
+
+    void apply(LoadContext<S>& context) const override {
+        const double factor = history_(context.time);
+        if (factor == 0) return;
+        const Particles<S>& particles = body(context.bodies);
+        std::vector<PointSource<S>> sources;
+        for (Index p = 0; p < particles.size(); ++p) {
+            const Real area = particles.column(area_, 0)[p];
+            if (area == 0) continue;
+            const Real stretch = face_.area_stretch(particles, p);
+            const Vector force =
+                (static_cast<Real>(factor) * area * stretch * traction_.template cast<Real>()).eval();
+            if (at_surface_)
+                add_at_surface(context, particles, p, force);
+            else
+                sources.push_back({particles.position(p), half_size(particles, p), force});
+        }
+        context.shape.spread(context.patch, sources, NodeField::external_force);
+    }
+
+  private:
+    Particles<S>& body(std::span<Particles<S>> bodies) const {
+        return *std::find_if(bodies.begin(), bodies.end(), [&](const auto& b) { return b.body() == body_; });
+    }
+
+    static Vector half_size(const Particles<S>& particles, Index p) {
+        return particles.vector(particles.has(Field::half_size) ? Field::half_size : Field::initial_half_size,
+                                p);
+    }
+
+    /// t A N_i(x_p + d), on the nodes that have mass: the stencil of a particle whose shape does not reach
+    /// the surface may end before it. A node with hardly any mass would turn its force into a velocity
+    /// that does work on nothing; its part goes to the others too.
+    void add_at_surface(LoadContext<S>& context, const Particles<S>& particles, Index p,
+                        const Vector& force) const {
+        Patch<S>& patch = context.patch;
+        Vector half = half_size(particles, p);
+        half[face_.axis()] = 0;
+        const auto stencil = context.shape.stencil(patch, face_.surface_point(particles, p), half);
+        const Real* mass = patch.column(NodeField::mass);
+        const Real least = static_cast<Real>(0.01) * particles.column(Field::mass)[p];
+        std::vector<std::pair<int, Real>> nodes;
+        Real sum = 0;
+        for (std::size_t k = 0; k < stencil.nodes.size(); ++k) {
+            const int i = patch.node_index(stencil.nodes[k]);
+            if (i < 0 || !(mass[i] > least)) continue;
+            nodes.emplace_back(i, stencil.weights[k]);
+            sum += stencil.weights[k];
+        }
+        if (!(sum > static_cast<Real>(1e-3))) {
+            const PointSource<S> at_particle{particles.position(p), half_size(particles, p), force};
+            context.shape.spread(patch, {&at_particle, 1}, NodeField::external_force);
+            return;
+        }
+        for (int a = 0; a < S::dimension; ++a) {
+            Real* column = patch.column(NodeField::external_force, a);
+            for (const auto& [i, weight] : nodes) column[i] += force[a] * weight / sum;
+        }
+    }
+
+    std::string body_;
+    Face<S> face_;
+    double thickness_;  ///< m; 0: one particle
+    bool at_surface_;
+    std::string field_;
+    History history_;
+    Eigen::Matrix<double, S::dimension, 1> traction_;
+    int area_ = -1;  ///< particle field
+};
+
+template <class S>
+Schema Traction<S>::schema() {
+    const auto given = [](const Json& own, const char* key) {
+        return own.contains(key) && !own.at(key).is_null();
+    };
+    Schema schema("Force per area on one side of a body, which moves with it",
+                  "[Chen & Brannon 2002, eq. 1-5, 1-16]");
+    schema.add("body", ParameterType::reference, {.doc = "The body that is loaded", .section = "bodies"})
+        .choice("face", {.doc = "Side of the body at the start",
+                         .choices = {"x_min", "x_max", "y_min", "y_max", "z_min", "z_max"}})
+        .vector("traction", {.unit = "Pa", .doc = "Force per present area", .paper = "c = rho c^s"})
+        .choice("method",
+                {.doc = "surface_point: at the surface itself; boundary_layer: spread over the volume of "
+                        "the boundary particles",
+                 .paper = "[Chen & Brannon 2002, sec. 2]",
+                 .default_value = "surface_point",
+                 .choices = {"surface_point", "boundary_layer"}})
+        .number("thickness",
+                {.unit = "m",
+                 .doc = "Thickness h of the boundary layer at the start; by default one particle",
+                 .paper = "[Chen & Brannon 2002, eq. 1-5]",
+                 .optional = true,
+                 .greater_than = 0})
+        .refuse("/thickness", "belongs to method \"boundary_layer\"",
+                [=](const Json& own, const Json&) {
+                    return given(own, "thickness") && own.at("method") != "boundary_layer";
+                })
+        .refuse("/face", "the scene has no such axis", [](const Json& own, const Json& scene) {
+            return own.at("face").get<std::string>()[0] - 'x' >= scene.at("space").at("dimension").get<int>();
+        });
+    History::declare(schema);
+    return schema;
+}
+
+}  // namespace matpoint
+
+MATPOINT_PLUGIN("traction", "1.0.0") {
+    registry.load<matpoint::Traction>("traction");
+}

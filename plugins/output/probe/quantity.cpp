@@ -1,0 +1,162 @@
+#include "quantity.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <matpoint/field_shape.hpp>
+#include <matpoint/output_file.hpp>
+#include <numeric>
+#include <stdexcept>
+
+using matpoint::RunView;
+
+std::vector<std::string> Quantity::required_fields() const {
+    std::vector<std::string> fields;
+    if (of_field()) fields.push_back(field_);
+    if (quantity_ == "particle") fields.push_back("id");
+    if (has_at_) fields.push_back("initial_position");
+    return fields;
+}
+
+Quantity::Quantity(const matpoint::Parameters& p)
+    : quantity_(p.text("quantity")),
+      body_(p.has("body") ? p.text("body") : ""),
+      field_(p.has("field") ? p.text("field") : ""),
+      component_(p.has("component") ? p.text("component") : ""),
+      boundary_condition_(p.has("boundary_condition") ? p.text("boundary_condition") : ""),
+      has_at_(p.has("at")) {
+    if (p.has("particle")) particle_ = p.integer("particle");
+    if (has_at_) at_ = p.vector("at");
+}
+
+bool Quantity::is_vector() const {
+    return quantity_ == "centroid" || quantity_ == "momentum" || quantity_ == "reaction";
+}
+
+void Quantity::find(const RunView& run) {
+    find_components(run);
+    if (quantity_ == "particle") find_particle(run);
+}
+
+void Quantity::find_components(const RunView& run) {
+    std::vector<std::string> components{""};
+    std::string prefix = quantity_;
+    if (is_vector()) {
+        components = component_names(matpoint::FieldShape::vector, run.space().dimension(), run.space());
+    } else if (of_field()) {
+        const std::vector<std::string> bodies = observed_bodies(run, body_);
+        expect_field(run, bodies, field_);
+        const auto carrier = std::find_if(bodies.begin(), bodies.end(),
+                                          [&](const std::string& b) { return has_field(run, b, field_); });
+        const int count = run.components(*carrier, field_);
+        components = component_names(field_shape(field_, count, run.space()), count, run.space());
+        prefix = quantity_ == "particle" ? field_ : quantity_ + "_" + field_;
+    }
+    if (!component_.empty() &&
+        std::find(components.begin(), components.end(), component_) == components.end())
+        throw std::runtime_error(
+            components.front().empty()
+                ? fmt::format(
+                      "a probe asks for component {} of \"{}\", which has one number only: leave it out",
+                      component_, prefix)
+                : fmt::format("a probe asks for component {} of \"{}\", which has {}", component_, prefix,
+                              fmt::join(components, ", ")));
+    components_.clear();
+    names_.clear();
+    for (std::size_t c = 0; c < components.size(); ++c) {
+        if (!component_.empty() && components[c] != component_) continue;
+        components_.push_back(static_cast<int>(c));
+        names_.push_back(components[c].empty() ? prefix : prefix + "_" + components[c]);
+    }
+}
+
+// By initial positions, so that a run that resumes finds the same particle.
+void Quantity::find_particle(const RunView& run) {
+    const std::vector<double> ids = run.column(body_, "id", 0);
+    if (has_at_) {
+        std::vector<double> distance_squared(ids.size(), 0.0);  // m^2
+        for (int a = 0; a < run.space().dimension(); ++a) {
+            const std::vector<double> x = run.column(body_, "initial_position", a);
+            for (std::size_t p = 0; p < x.size(); ++p) {
+                const double d = x[p] - at_[static_cast<std::size_t>(a)];
+                distance_squared[p] += d * d;
+            }
+        }
+        const auto nearest = std::min_element(distance_squared.begin(), distance_squared.end());
+        if (nearest != distance_squared.end())
+            particle_ = static_cast<long>(ids[static_cast<std::size_t>(nearest - distance_squared.begin())]);
+    } else if (!ids.empty() && static_cast<double>(particle_) > ids.back()) {
+        throw std::runtime_error(
+            fmt::format("a probe asks for particle {} of body \"{}\", whose particles are 0 to {}", particle_,
+                        body_, ids.back()));
+    }
+}
+
+std::vector<double> Quantity::values(const RunView& run) const {
+    std::vector<double> all;
+    for (const int component : components_) all.push_back(value(run, component));
+    return all;
+}
+
+double Quantity::value(const RunView& run, int component) const {
+    const auto c = static_cast<std::size_t>(component);
+    if (quantity_ == "particle") return of_particle(run, component);
+    if (of_field()) return over_particles(run, component);
+    if (quantity_ == "reaction") return run.reaction(boundary_condition_)[c];
+    if (quantity_ == "strain_energy") return run.energies().strain;
+    if (quantity_ == "external_work") return run.energies().external;
+    if (quantity_ == "total_energy") return run.energies().total();
+
+    double mass = 0;  // kg
+    for (const std::string& body : observed_bodies(run, body_)) {
+        const std::vector<double> m = run.column(body, "mass", 0);
+        mass = std::accumulate(m.begin(), m.end(), mass);
+    }
+    if (quantity_ == "centroid") return weighted_by_mass(run, "position", component) / mass;
+    if (quantity_ == "mass") return body_.empty() ? run.mass() : mass;
+    if (quantity_ == "momentum")
+        return body_.empty() ? run.momentum()[c] : weighted_by_mass(run, "velocity", component);
+
+    if (body_.empty()) return run.energies().kinetic;
+    double energy = 0;  // J
+    const std::vector<double> m = run.column(body_, "mass", 0);
+    for (int a = 0; a < run.space().dimension(); ++a) {
+        const std::vector<double> v = run.column(body_, "velocity", a);
+        for (std::size_t p = 0; p < m.size(); ++p) energy += 0.5 * m[p] * v[p] * v[p];
+    }
+    return energy;
+}
+
+// A particle that has been deleted has no value.
+double Quantity::of_particle(const RunView& run, int component) const {
+    const std::vector<double> ids = run.column(body_, "id", 0);
+    const auto id = static_cast<double>(particle_);
+    const auto place = std::lower_bound(ids.begin(), ids.end(), id);
+    if (place == ids.end() || *place != id) return std::numeric_limits<double>::quiet_NaN();
+    return run.column(body_, field_, component)[static_cast<std::size_t>(place - ids.begin())];
+}
+
+double Quantity::over_particles(const RunView& run, int component) const {
+    std::vector<double> all;
+    for (const std::string& body : observed_bodies(run, body_)) {
+        if (!has_field(run, body, field_)) continue;
+        const std::vector<double> column = run.column(body, field_, component);
+        all.insert(all.end(), column.begin(), column.end());
+    }
+    if (all.empty()) return std::numeric_limits<double>::quiet_NaN();
+    if (quantity_ == "min") return *std::min_element(all.begin(), all.end());
+    if (quantity_ == "max") return *std::max_element(all.begin(), all.end());
+    return std::accumulate(all.begin(), all.end(), 0.0) / static_cast<double>(all.size());
+}
+
+double Quantity::weighted_by_mass(const RunView& run, const char* field, int component) const {
+    double sum = 0;
+    for (const std::string& body : observed_bodies(run, body_)) {
+        const std::vector<double> m = run.column(body, "mass", 0);
+        const std::vector<double> values = run.column(body, field, component);
+        sum = std::inner_product(m.begin(), m.end(), values.begin(), sum);
+    }
+    return sum;
+}

@@ -1,0 +1,114 @@
+#include <matpoint/delegating_shape.hpp>
+#include <matpoint/plugin.hpp>
+#include <matpoint/tensor_product_shape.hpp>
+
+#include <cmath>
+
+namespace matpoint {
+namespace {
+
+/// Tent function averaged over the particle's domain [x_p - l, x_p + l], exactly
+/// [Wallstedt & Guilkey 2008, eq. 1, 2, 4]; for l <= h / 2 that is eq. 5, 6. The domain is cut at the
+/// nodes: the part [lo, hi] of cell k, in cells from its left node, adds the integrals of 1 - x to node
+/// k and of x to node k + 1. Width 3 holds domains with l up to h / 2, width 4 up to h.
+template <int Width>
+struct AveragedTent {
+    static constexpr int width = Width;
+    static constexpr bool sized = true;
+    static constexpr double largest_half_size = Width == 3 ? 0.5 : 1;  // in cells
+    /// Smaller domains count as this large, so that the average exists for points too.
+    static constexpr double smallest_half_size = 1e-3;
+
+    template <class Real>
+    static int base(Real xi) {
+        return static_cast<int>(std::floor(xi - Real(largest_half_size)));
+    }
+
+    template <class T>
+    static void evaluate(T s, T half_size, T* weights, T* derivatives) {
+        using std::max;
+        using std::min;
+        const T l = max(T(smallest_half_size), min(half_size, T(largest_half_size)));
+        const T begin = s - l, end = s + l, density = T(1) / (end - begin);
+        weights[0] = derivatives[0] = T(0);
+        for (int k = 0; k < Width - 1; ++k) {
+            const T lo = max(T(0), min(begin - T(k), T(1))), hi = max(T(0), min(end - T(k), T(1)));
+            const T share = (hi - lo) * density, right = T(0.5) * (hi + lo) * share;
+            weights[k] = weights[k] + (share - right);
+            weights[k + 1] = right;
+            derivatives[k] = derivatives[k] - share;
+            derivatives[k + 1] = share;
+        }
+    }
+};
+
+template <class S>
+class Gimp final : public DelegatingShape<S> {
+  public:
+    using typename ShapeFunction<S>::Real;
+
+    explicit Gimp(const Parameters& parameters) : contiguous_(parameters.text("domain") == "contiguous") {}
+
+    static Schema schema() {
+        Schema schema("Generalized interpolation: the tent function averaged over each particle's domain, "
+                      "a box aligned with the axes.",
+                      "[Wallstedt & Guilkey 2008, eq. 1-7]");
+        schema.choice("domain", {.doc = "Whether domains follow the deformation (contiguous, cpGIMP) or keep "
+                                        "their initial size (uniform, uGIMP).",
+                                 .paper = "[Wallstedt & Guilkey 2008, eq. 7, 63]",
+                                 .default_value = "contiguous",
+                                 .choices = {"contiguous", "uniform"}});
+        return schema;
+    }
+
+    void declare(Particles<S>& particles) const override {
+        particles.require(Field::half_size);
+        if (!contiguous_) return;
+        particles.require(Field::initial_half_size);
+        particles.require(Field::deformation_gradient);
+    }
+
+    void start_step(const Patch<S>& patch, Particles<S>& particles) override {
+        // Rounding must not make a domain of exactly one cell reach a fourth node.
+        constexpr Real limit = Real(0.5) * (1 + 16 * std::numeric_limits<Real>::epsilon());
+        bool wide = false;
+        for (int a = 0; a < S::dimension; ++a) {
+            if (contiguous_) follow_deformation(particles, a);
+            const Real* l = particles.column(Field::half_size, a);
+            Real largest = 0;
+            for (Index p = 0; p < particles.size(); ++p) largest = std::max(largest, l[p]);
+            wide = wide || largest * patch.inverse_cell_size()[a] > limit;
+        }
+        std::erase(wide_, &particles);
+        if (wide) wide_.push_back(&particles);
+    }
+
+  private:
+    /// l^n = l^0 diag(F^n) [Wallstedt & Guilkey 2008, eq. 7, 63]. It vanishes where F turns by 90
+    /// degrees: not below 5 % of l^0.
+    static void follow_deformation(Particles<S>& particles, int a) {
+        const Real* f = particles.column(Field::deformation_gradient, a * (S::dimension + 1));
+        const Real* initial = particles.column(Field::initial_half_size, a);
+        Real* l = particles.column(Field::half_size, a);
+        for (Index p = 0; p < particles.size(); ++p) l[p] = initial[p] * std::max(std::abs(f[p]), Real(0.05));
+    }
+
+    const ShapeFunction<S>& shape_of(const Particles<S>& particles) const override {
+        if (std::ranges::find(wide_, &particles) == wide_.end()) return narrow_shape_;
+        return wide_shape_;
+    }
+    const ShapeFunction<S>& widest() const override {
+        if (wide_.empty()) return narrow_shape_;
+        return wide_shape_;
+    }
+
+    bool contiguous_;
+    std::vector<const Particles<S>*> wide_;  ///< bodies with a domain larger than a cell
+    TensorProductShape<S, AveragedTent<3>> narrow_shape_;
+    TensorProductShape<S, AveragedTent<4>> wide_shape_;
+};
+
+}  // namespace
+}  // namespace matpoint
+
+MATPOINT_PLUGIN("gimp", "1.0.0") { registry.shape_function<matpoint::Gimp>("gimp"); }

@@ -1,0 +1,43 @@
+#include <matpoint/plugin.hpp>
+#include <matpoint/tensor_product_shape.hpp>
+
+#include <cmath>
+
+namespace matpoint {
+namespace {
+
+/// The tent function of the original method [Wallstedt & Guilkey 2008, eq. 2, 3].
+struct Tent {
+    static constexpr int width = 2;
+    static constexpr bool sized = false;
+
+    template <class Real>
+    static int base(Real xi) {
+        return static_cast<int>(std::floor(xi));
+    }
+
+    template <class T>
+    static void evaluate(T s, T, T* weights, T* derivatives) {
+        weights[0] = T(1) - s;
+        weights[1] = s;
+        derivatives[0] = T(-1);
+        derivatives[1] = T(1);
+    }
+};
+
+template <class S>
+class Linear final : public TensorProductShape<S, Tent> {
+  public:
+    explicit Linear(const Parameters&) {}
+
+    static Schema schema() {
+        return Schema("Piecewise linear: a particle is a point and reaches the corners of its cell. Fast, "
+                      "but forces jump when particles cross cells.",
+                      "[Wallstedt & Guilkey 2008, eq. 2, 3]");
+    }
+};
+
+}  // namespace
+}  // namespace matpoint
+
+MATPOINT_PLUGIN("linear", "1.0.0") { registry.shape_function<matpoint::Linear>("linear"); }

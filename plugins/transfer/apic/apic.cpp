@@ -1,0 +1,44 @@
+#include <matpoint/plugin.hpp>
+#include <matpoint/transfer.hpp>
+
+#include <algorithm>
+
+namespace matpoint {
+namespace {
+
+template <class S>
+class Apic final : public Transfer<S> {
+  public:
+    using typename Transfer<S>::Real;
+
+    explicit Apic(const Parameters&) {}
+
+    static Schema schema() {
+        return Schema("Affine particle in cell: particles take the grid's velocity and its affine part, which keeps "
+                      "angular momentum; no noise, little damping.",
+                      "[Jiang et al. 2015, eq. 8-10]");
+    }
+
+    void declare(Particles<S>& particles) const override { particles.require(Field::affine_velocity); }
+    std::optional<Field> affine() const override { return Field::affine_velocity; }
+    bool needs_acceleration() const override { return false; }
+    bool needs_affine() const override { return true; }
+    Real grid_share() const override { return Real(1); }
+
+    /// v_p = sum S v_i, C_p = B_p D_p^-1 [Jiang et al. 2015, eq. 9, 10].
+    void update(const ParticleBatch<S>& batch, Real) const override {
+        const Index count = batch.end() - batch.begin();
+        const auto copy = [&](const auto& columns, Field field) {
+            for (std::size_t c = 0; c < columns.size(); ++c)
+                std::copy_n(columns[c].data(), count,
+                            batch.particles().column(field, static_cast<int>(c)) + batch.begin());
+        };
+        copy(batch.gathered().velocity, Field::velocity);
+        copy(batch.gathered().affine, Field::affine_velocity);
+    }
+};
+
+}  // namespace
+}  // namespace matpoint
+
+MATPOINT_PLUGIN("apic", "1.0.0") { registry.transfer<matpoint::Apic>("apic"); }

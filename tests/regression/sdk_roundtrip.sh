@@ -1,0 +1,52 @@
+#!/usr/bin/env bash
+# What a user does with an installation: makes a plugin of their own, builds it out of tree, tests
+# it, and runs its scene. Usage: sdk_roundtrip.sh PREFIX KIND NAME
+set -euo pipefail
+prefix=$1 kind=$2 name=$3
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work"
+unset MATPOINT_PLUGIN_PATH LD_LIBRARY_PATH
+# In a place of its own, so that nothing can lean on the folder it was installed to.
+cp -a "$prefix" "$work/sdk"
+export PATH="$work/sdk/bin:$PATH"
+
+fail() { echo "sdk_roundtrip: $*" >&2; exit 1; }
+# expect STATUS TEXT COMMAND...: the command ends with the status and says the text.
+expect() {
+    local status=$1 text=$2 got=0 said
+    shift 2
+    said=$("$@" 2>&1) || got=$?
+    [[ $got == "$status" ]] || fail "\`$*\` ended with $got, not $status: $said"
+    [[ $said == *"$text"* ]] || fail "\`$*\` did not say \"$text\": $said"
+}
+
+expect 2 "did you mean \"material\"" matpoint new_plugin matrial "$name"
+expect 2 "snake_case" matpoint new_plugin "$kind" NotSnake
+expect 2 "usage" matpoint new_plugin "$kind"
+expect 0 "$name" matpoint new_plugin "$kind" "$name"
+expect 2 "exists already" matpoint new_plugin "$kind" "$name"
+cd "$name"
+
+# The scene needs the plugin.
+expect 2 "$name" matpoint validate "$name.json"
+
+cmake -S . -B build -DCMAKE_BUILD_TYPE=Release
+cmake --build build
+ctest --test-dir build --output-on-failure --no-tests=error
+
+# Found by its folder, or named by the scene.
+MATPOINT_PLUGIN_PATH=build/plugins expect 0 "" matpoint validate "$name.json"
+MATPOINT_PLUGIN_PATH=build/plugins expect 0 "" matpoint run "$name.json" --output by_folder --quiet
+MATPOINT_PLUGIN_PATH=build/plugins expect 0 "$name" matpoint describe "$name"
+sed "s|\"matpoint\": 1,|&\n  \"plugins\": [\"build/plugins/$name.so\"],|" "$name.json" > by_file.json
+expect 0 "" matpoint run by_file.json --output by_file --quiet
+for run in by_folder by_file; do
+    grep -q "\"$name\"" <(sed -n '/"loaded_plugins"/,/]/p' $run/summary.json) || fail "$run/summary.json does not list $name"
+done
+
+# Installed beside the plugins that came with the SDK, it needs neither.
+cmake --install build --prefix "$work/sdk"
+expect 0 "" matpoint validate "$name.json"
+expect 2 "already" matpoint new_plugin "$kind" "$name" --output again

@@ -1,0 +1,182 @@
+// Particles on the lattice of the grid's cells, in every space, against exact masses and volumes.
+
+#include "particles/seeding.hpp"
+
+#include <gtest/gtest.h>
+#include <matpoint/parallel.hpp>
+
+#include <numbers>
+#include <set>
+#include <stdexcept>
+
+namespace matpoint {
+
+namespace {
+
+using std::numbers::pi;
+
+/// The region where x, y and z are in [min, max).
+class Block final : public Geometry {
+  public:
+    Block(double min, double max) : min_(min), max_(max) {}
+    Bounds bounds() const override { return {Eigen::Vector3d::Constant(min_), Eigen::Vector3d::Constant(max_)}; }
+    bool contains(const Eigen::Vector3d& x) const override {
+        const auto within = [&](double c) { return c == 0 || (c >= min_ && c < max_); };
+        return within(x[0]) && within(x[1]) && within(x[2]);
+    }
+
+  private:
+    double min_, max_;
+};
+
+class Cloud final : public Geometry {
+  public:
+    explicit Cloud(std::vector<PointCloud::Point> points) : cloud_{std::move(points)} {}
+    Bounds bounds() const override { return {}; }
+    bool contains(const Eigen::Vector3d&) const override { return false; }
+    const PointCloud* points() const override { return &cloud_; }
+
+  private:
+    PointCloud cloud_;
+};
+
+/// Cells of 1/4 over [0, 2) along x and [0, 4) along the others.
+template <class S>
+Patch<S> make_patch() {
+    typename Patch<S>::Coordinates cells;
+    cells.fill(16);
+    cells[0] = 8;
+    return Patch<S>({0, 0, 0}, {0.25, 0.25, 0.25}, cells);
+}
+
+template <class S>
+Particles<S> make_particles() {
+    Particles<S> particles("brick");
+    for (const Field field : {Field::initial_position, Field::half_size, Field::initial_half_size, Field::deformation_gradient, Field::id})
+        particles.require(field);
+    return particles;
+}
+
+template <class S>
+double sum(const Particles<S>& particles, Field field) {
+    double total = 0;
+    for (Index p = 0; p < particles.size(); ++p) total += static_cast<double>(particles.column(field)[p]);
+    return total;
+}
+
+template <class F>
+std::string error_of(F&& call) {
+    try {
+        call();
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+    return "";
+}
+
+}  // namespace
+
+template <class S>
+class ParticlesSeeding : public testing::Test {};
+using Spaces = testing::Types<Bar, PlaneStrain, Axisymmetric, Solid, BarSingle, PlaneStrainSingle, AxisymmetricSingle, SolidSingle>;
+TYPED_TEST_SUITE(ParticlesSeeding, Spaces);
+
+TYPED_TEST(ParticlesSeeding, AlignedBoxHasItsMass) {
+    using S = TypeParam;
+    const double tolerance = sizeof(typename S::Real) == 4 ? 1e-4 : 1e-12;
+    auto particles = make_particles<S>();
+    seed(particles, make_patch<S>(), Block(0.5, 1.5), {2, 3, 1}, 1000);
+
+    const double volume = S::axisymmetric ? pi * (1.5 * 1.5 - 0.5 * 0.5) : 1.0;  // pi (R^2 - r^2) H, or 1^D
+    EXPECT_EQ(particles.size(), S::dimension == 1 ? 8 : S::dimension == 2 ? 96 : 384);
+    EXPECT_NEAR(sum(particles, Field::volume), volume, volume * tolerance);
+    EXPECT_NEAR(sum(particles, Field::mass), 1000 * volume, 1000 * volume * tolerance);
+}
+
+TYPED_TEST(ParticlesSeeding, FillsTheFieldsThatWereAskedFor) {
+    using S = TypeParam;
+    using Real = typename S::Real;
+    auto particles = make_particles<S>();
+    const std::array<int, 3> per_cell{2, 3, 1};
+    seed(particles, make_patch<S>(), Block(0.5, 1.5), per_cell, 1000,
+         [](const Eigen::Vector3d& x) { return Eigen::Vector3d(2 * x[0], 7, -1); });
+    for (Index p = 0; p < particles.size(); ++p) {
+        const auto x = particles.position(p);
+        EXPECT_EQ(particles.vector(Field::initial_position, p), x);
+        EXPECT_FLOAT_EQ(static_cast<float>(particles.velocity(p)[0]), static_cast<float>(2 * x[0]));
+        for (int a = 0; a < S::dimension; ++a) {
+            const double spacing = 0.25 / per_cell[static_cast<std::size_t>(a)];
+            EXPECT_EQ(particles.vector(Field::half_size, p)[a], static_cast<Real>(spacing / 2));
+            EXPECT_EQ(particles.vector(Field::initial_half_size, p)[a], static_cast<Real>(spacing / 2));
+            const double place = static_cast<double>(x[a]) / spacing - 0.5;
+            EXPECT_NEAR(place, std::round(place), 1e-5);
+        }
+        EXPECT_TRUE(ParticleBatch<S>::load_deformation(particles, p).plane.isIdentity(0));
+        EXPECT_EQ(particles.ids()[static_cast<std::size_t>(p)], static_cast<std::uint32_t>(p));
+    }
+}
+
+TYPED_TEST(ParticlesSeeding, GoesCellByCellWhateverTheThreads) {
+    using S = TypeParam;
+    const auto patch = make_patch<S>();
+    auto one = make_particles<S>(), three = make_particles<S>();
+    const std::array<int, 3> per_cell{4, 9, 9};
+    seed(one, patch, Block(0.2, 3.9), per_cell, 1);
+    set_threads(3);
+    seed(three, patch, Block(0.2, 3.9), per_cell, 1);
+    set_threads(1);
+    ASSERT_EQ(one.size(), three.size());
+    std::set<int> left;  // cells that were gone through
+    int current = -1;
+    for (Index p = 0; p < one.size(); ++p) {
+        ASSERT_EQ(one.position(p), three.position(p));
+        int cell = 0;
+        for (int a = S::dimension - 1; a >= 0; --a) cell = cell * 16 + static_cast<int>(one.position(p)[a] * 4);
+        if (cell == current) continue;
+        ASSERT_TRUE(left.insert(cell).second) << "cell " << cell << " comes twice";
+        current = cell;
+    }
+}
+
+TYPED_TEST(ParticlesSeeding, KeepsWithinTheGrid) {
+    using S = TypeParam;
+    auto particles = make_particles<S>();
+    seed(particles, make_patch<S>(), Block(-1e300, 1e300), {1, 1, 1}, 1);
+    EXPECT_EQ(particles.size(), S::dimension == 1 ? 8 : S::dimension == 2 ? 8 * 16 : 8 * 16 * 16);
+}
+
+TYPED_TEST(ParticlesSeeding, RefusesAnEmptyBody) {
+    using S = TypeParam;
+    auto particles = make_particles<S>();
+    for (const auto& [min, max] : {std::pair(5.0, 6.0), std::pair(0.51, 0.52), std::pair(1.0, 0.5)}) {
+        const std::string error = error_of([&] { seed(particles, make_patch<S>(), Block(min, max), {1, 1, 1}, 1); });
+        EXPECT_EQ(error.rfind("body \"brick\": its geometry contains no particle", 0), 0u) << error;
+    }
+}
+
+TYPED_TEST(ParticlesSeeding, TakesListedPointsAsTheyAre) {
+    using S = TypeParam;
+    auto particles = make_particles<S>();
+    Eigen::Vector3d a(0.3, 0.7, 1.1), b(1.9, 3.9, 3.9);
+    for (int missing = S::dimension; missing < 3; ++missing) a[missing] = b[missing] = 0;
+    const double ring = S::axisymmetric ? 2 * pi * a[0] : 1;
+    const double volume = std::pow(0.1, S::dimension) * ring;
+    seed(particles, make_patch<S>(), Cloud({{a, volume, {1, 0, 0}}, {b, 2 * volume, {0, 0, 0}}}), {1, 1, 1}, 500,
+         [](const Eigen::Vector3d&) { return Eigen::Vector3d(3, 0, 0); });
+    ASSERT_EQ(particles.size(), 2);
+    EXPECT_FLOAT_EQ(static_cast<float>(particles.position(0)[0]), 0.3f);
+    EXPECT_FLOAT_EQ(static_cast<float>(particles.velocity(0)[0]), 4);
+    EXPECT_FLOAT_EQ(static_cast<float>(particles.velocity(1)[0]), 3);
+    EXPECT_FLOAT_EQ(static_cast<float>(particles.vector(Field::half_size, 0)[0]), 0.05f);
+    EXPECT_FLOAT_EQ(static_cast<float>(sum(particles, Field::mass)), static_cast<float>(500 * 3 * volume));
+}
+
+TYPED_TEST(ParticlesSeeding, RefusesAListedPointOutsideTheGrid) {
+    using S = TypeParam;
+    auto particles = make_particles<S>();
+    const Cloud cloud({{{1, 0, 0}, 1, {0, 0, 0}}, {{2.5, 0, 0}, 1, {0, 0, 0}}});
+    const std::string error = error_of([&] { seed(particles, make_patch<S>(), cloud, {1, 1, 1}, 1); });
+    EXPECT_EQ(error.rfind("body \"brick\": point 2 of its geometry's 2, at [2.5", 0), 0u) << error;
+}
+
+}  // namespace matpoint

@@ -1,0 +1,6 @@
+namespace acme {
+double melting_point();
+double melting_point() {
+    return 1;
+}
+}  // namespace acme
