@@ -9,9 +9,8 @@ function(matpoint_add_plugin name)
     set(MATPOINT_PLUGIN_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/plugins)
   endif()
   add_library(${name} MODULE ${ARGN})
-  # Without compiler extensions, because with them GCC contracts a*b+c, which changes results' bits.
   set_target_properties(${name} PROPERTIES
-    PREFIX "" CXX_EXTENSIONS OFF CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
+    PREFIX "" CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
     LIBRARY_OUTPUT_DIRECTORY ${MATPOINT_PLUGIN_OUTPUT_DIRECTORY}
     INSTALL_RPATH "$ORIGIN/../.."
     LINK_DEPENDS_NO_SHARED ON)

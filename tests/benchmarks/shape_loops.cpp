@@ -20,13 +20,16 @@ class Block {
     using Real = typename S::Real;
 
     explicit Block(ShapeFunction<S>& shape)
-        : patch({0, 0, 0}, {0.1, 0.1, 0.1}, {cells + 2, cells + 2, cells + 2}), particles("block"), shape_(shape) {
+        : patch({0, 0, 0}, {0.1, 0.1, 0.1}, {cells + 2, cells + 2, cells + 2}),
+          particles("block"),
+          shape_(shape) {
         shape.declare(particles);
         particles.resize(count);
         fill();
         shape.start_step(patch, particles);
         sort();
-        std::vector<int> blocks(static_cast<std::size_t>(patch.blocks()[0] * patch.blocks()[1] * patch.blocks()[2]));
+        std::vector<int> blocks(
+            static_cast<std::size_t>(patch.blocks()[0] * patch.blocks()[1] * patch.blocks()[2]));
         std::iota(blocks.begin(), blocks.end(), 0);
         patch.set_blocks(blocks);
         for (NodeField field : {NodeField::velocity, NodeField::acceleration})
@@ -45,10 +48,12 @@ class Block {
         for (Index p = 0, rest = 0; p < count; rest = ++p)
             for (int a = 0; a < 3; ++a, rest /= 2 * cells) {
                 const auto place = static_cast<Real>(rest % (2 * cells));
-                particles.column(Field::position, a)[p] = Real(0.1) + Real(0.05) * (place + Real(0.5)) + jitter(random);
+                particles.column(Field::position, a)[p] =
+                    Real(0.1) + Real(0.05) * (place + Real(0.5)) + jitter(random);
                 particles.column(Field::velocity, a)[p] = jitter(random);
                 if (particles.has(Field::half_size)) particles.column(Field::half_size, a)[p] = Real(0.025);
-                if (particles.has(Field::initial_half_size)) particles.column(Field::initial_half_size, a)[p] = Real(0.025);
+                if (particles.has(Field::initial_half_size))
+                    particles.column(Field::initial_half_size, a)[p] = Real(0.025);
             }
         std::fill_n(particles.column(Field::mass), count, Real(1));
         std::fill_n(particles.column(Field::volume), count, Real(1));

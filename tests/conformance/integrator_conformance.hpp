@@ -33,7 +33,8 @@ class Oscillator final : public Phases<S> {
         dt_ = static_cast<Real>(dt);
         done_ = {};
         has_remapped_ = false;
-        for (const NodeField field : integrator.node_fields()) has_remapped_ |= field == NodeField::remapped_velocity;
+        for (const NodeField field : integrator.node_fields())
+            has_remapped_ |= field == NodeField::remapped_velocity;
         integrator.step(*this, dt_);
         EXPECT_TRUE(done_.velocity && done_.position && done_.stress && done_.accelerated);
         ++number_;
@@ -148,7 +149,8 @@ class IntegratorChecks {
             Oscillator<S> spring;
             spring.extension = spring.position = 1;
             for (int i = 0; i < steps; ++i) spring.step(integrator_, 1.0 / steps);
-            return std::max(std::abs(spring.extension - std::cos(1.0)), std::abs(spring.position - std::cos(1.0)));
+            return std::max(std::abs(spring.extension - std::cos(1.0)),
+                            std::abs(spring.position - std::cos(1.0)));
         };
         return std::log2(error(64) / error(128));
     }

@@ -63,8 +63,10 @@ class Listener final : public Phases<Bar> {
 TEST(Integrators, UseTheRemappedVelocityWhereTheyShould) {
     constexpr auto velocity = NodeField::velocity, remapped = NodeField::remapped_velocity;
     const std::tuple<const char*, NodeField, NodeField> expected[] = {
-        {"usf", velocity, velocity},  {"usl", velocity, velocity},
-        {"musl", velocity, remapped}, {"uvf", remapped, remapped},
+        {"usf", velocity, velocity},
+        {"usl", velocity, velocity},
+        {"musl", velocity, remapped},
+        {"uvf", remapped, remapped},
         {"central_difference", velocity, velocity},
     };
     for (const auto& [type, position, stress] : expected) {

@@ -49,15 +49,18 @@ class ParticleCloud {
         fill(Field::velocity_gradient, d * d, -1, 1);
         for (int a = 0; a < d; ++a) {
             const double h = static_cast<double>(patch.cell_size()[a]);
-            if (particles.has(Field::initial_half_size)) fill_column(Field::initial_half_size, a, 0.1 * h, 0.45 * h);
-            if (particles.has(Field::half_size)) fill_column(Field::half_size, a, 0.1 * h, 0.45 * h * stretch);
+            if (particles.has(Field::initial_half_size))
+                fill_column(Field::initial_half_size, a, 0.1 * h, 0.45 * h);
+            if (particles.has(Field::half_size))
+                fill_column(Field::half_size, a, 0.1 * h, 0.45 * h * stretch);
             if (particles.has(Field::deformation_gradient))
                 fill_column(Field::deformation_gradient, a * (d + 1), 0.7, stretch);
         }
     }
 
     Vector half_size(Index p) const {
-        return particles.has(Field::half_size) ? particles.vector(Field::half_size, p) : Vector(Vector::Zero());
+        return particles.has(Field::half_size) ? particles.vector(Field::half_size, p)
+                                               : Vector(Vector::Zero());
     }
     /// From a particle to a node, m.
     Vector arm(const typename Patch<S>::Coordinates& node, Index p) const {
@@ -78,7 +81,8 @@ class ParticleCloud {
         }
     }
     void fill_column(Field field, int component, double low, double high) {
-        std::generate_n(particles.column(field, component), particles.size(), [&] { return random(low, high); });
+        std::generate_n(particles.column(field, component), particles.size(),
+                        [&] { return random(low, high); });
     }
     void fill(Field field, int components, double low, double high) {
         for (int c = 0; c < components; ++c) fill_column(field, c, low, high);
@@ -118,7 +122,8 @@ class Record final : public GatherSink<S> {
                 entry.velocity[static_cast<Index>(c)] = gathered.velocity[c][i];
                 entry.acceleration[static_cast<Index>(c)] = gathered.acceleration[c][i];
             }
-            for (std::size_t c = 0; c < S::deformation_size; ++c) entry.gradient[c] = gathered.velocity_gradient[c][i];
+            for (std::size_t c = 0; c < S::deformation_size; ++c)
+                entry.gradient[c] = gathered.velocity_gradient[c][i];
             for (std::size_t c = 0; c < S::dimension * S::dimension; ++c)
                 entry.affine.data()[c] = gathered.affine[c][i];
         }

@@ -75,7 +75,8 @@ class ShapeFunctionChecks {
             EXPECT_NEAR(sum, 1, tolerance);
             EXPECT_LE(gradient.cwiseProduct(patch_.cell_size()).norm(), tolerance);
             EXPECT_LE(first_moment.cwiseQuotient(patch_.cell_size()).norm(), tolerance);
-            const Matrix scaled = patch_.cell_size().asDiagonal() * slope * patch_.inverse_cell_size().asDiagonal();
+            const Matrix scaled =
+                patch_.cell_size().asDiagonal() * slope * patch_.inverse_cell_size().asDiagonal();
             EXPECT_LE((scaled - Matrix::Identity()).norm(), 10 * tolerance);
         }
     }
@@ -121,7 +122,8 @@ class ShapeFunctionChecks {
                 }
                 EXPECT_NEAR(sum, 1, tolerance);
                 const auto axis = static_cast<int>(a);
-                const Real xi = (cloud_.particles.position(p)[axis] - patch_.min()[axis]) / patch_.cell_size()[axis];
+                const Real xi =
+                    (cloud_.particles.position(p)[axis] - patch_.min()[axis]) / patch_.cell_size()[axis];
                 EXPECT_NEAR(mean, xi, 10 * tolerance);
             }
         }
@@ -151,8 +153,8 @@ class ShapeFunctionChecks {
                 const auto s = stencil(p);
                 for (std::size_t k = 0; k < s.nodes.size(); ++k) {
                     const auto i = static_cast<std::size_t>(patch_.node_index(s.nodes[k]));
-                    const Vector v =
-                        velocity(p) + (affine ? Vector(extension(p) * cloud_.arm(s.nodes[k], p)) : Vector(Vector::Zero()));
+                    const Vector v = velocity(p) + (affine ? Vector(extension(p) * cloud_.arm(s.nodes[k], p))
+                                                           : Vector(Vector::Zero()));
                     const Vector f = -particle(Field::volume, p) * traction(p, s.weights[k], s.gradients[k]);
                     mass[0][i] += s.weights[k] * particle(Field::mass, p);
                     for (std::size_t c = 0; c < d; ++c) {
@@ -209,7 +211,8 @@ class ShapeFunctionChecks {
         const auto record = gather({NodeField::velocity, true, NodeField::remapped_velocity, true});
         for (Index p = 0; p < size(); ++p) {
             const auto s = stencil(p);
-            Vector v = Vector::Zero(), a = Vector::Zero(), remapped = Vector::Zero(), inertia = Vector::Zero();
+            Vector v = Vector::Zero(), a = Vector::Zero(), remapped = Vector::Zero(),
+                   inertia = Vector::Zero();
             Matrix gradient = Matrix::Zero(), b = Matrix::Zero();
             for (std::size_t k = 0; k < s.nodes.size(); ++k) {
                 const Vector arm = cloud_.arm(s.nodes[k], p), nodal = node(NodeField::velocity, s.nodes[k]);
@@ -247,7 +250,8 @@ class ShapeFunctionChecks {
                          static_cast<double>(patch_.column(NodeField::velocity, c)[i]);
         for (Index p = 0; p < size(); ++p) {
             const Vector momentum = particle(Field::mass, p) * velocity(p);
-            particles += static_cast<double>(momentum.dot(record.entries[static_cast<std::size_t>(p)].velocity));
+            particles +=
+                static_cast<double>(momentum.dot(record.entries[static_cast<std::size_t>(p)].velocity));
             scale += static_cast<double>(momentum.norm());
         }
         EXPECT_NEAR(nodes, particles, sum_tolerance * scale);
@@ -342,7 +346,8 @@ class ShapeFunctionChecks {
     void randomise_nodes() {
         std::mt19937 random(11);
         std::uniform_real_distribution<Real> value(-1, 1);
-        for (const NodeField field : {NodeField::velocity, NodeField::acceleration, NodeField::remapped_velocity})
+        for (const NodeField field :
+             {NodeField::velocity, NodeField::acceleration, NodeField::remapped_velocity})
             set_nodes(patch_, field, [&](const Vector&) -> Vector {
                 return Vector::NullaryExpr([&] { return value(random); });
             });

@@ -21,12 +21,15 @@ TEST_P(EveryShapeFunction, Conforms) {
     check_shape_function(catalogue.registry(), GetParam());
 }
 
-INSTANTIATE_TEST_SUITE_P(Plugins, EveryShapeFunction, testing::ValuesIn(every_shape()), [](const auto& shape) {
-    std::string name;
-    for (const auto& [key, value] : shape.param.items())
-        name += (name.empty() ? "" : "_") + (value.is_string() ? value.template get<std::string>() : key + value.dump());
-    return name;
-});
+INSTANTIATE_TEST_SUITE_P(Plugins, EveryShapeFunction, testing::ValuesIn(every_shape()),
+                         [](const auto& shape) {
+                             std::string name;
+                             for (const auto& [key, value] : shape.param.items())
+                                 name += (name.empty() ? "" : "_") + (value.is_string()
+                                                                          ? value.template get<std::string>()
+                                                                          : key + value.dump());
+                             return name;
+                         });
 
 /// Nodes 0 … 8 at distances of 0.5.
 Patch<Bar> line() {
@@ -41,7 +44,8 @@ double weight(const ShapeFunction<Bar>& shape, double x, double half_size, int n
         if (s.nodes[k][0] == node) return gradient ? s.gradients[k][0] : s.weights[k];
     return 0;
 }
-const Json contiguous{{"type", "gimp"}, {"domain", "contiguous"}}, uniform{{"type", "gimp"}, {"domain", "uniform"}};
+const Json contiguous{{"type", "gimp"}, {"domain", "contiguous"}},
+    uniform{{"type", "gimp"}, {"domain", "uniform"}};
 
 /// The closed form [Wallstedt & Guilkey 2008, eq. 5, 6].
 TEST(Gimp, FollowsTheFormula) {
@@ -51,9 +55,12 @@ TEST(Gimp, FollowsTheFormula) {
         for (double x = 0.7; x < 2.3; x += 0.0137) {
             const double r = std::abs(x - x_i), side = x < x_i ? 1 : -1;
             double s = 0, g = 0;
-            if (r <= l) s = 1 - (r * r + l * l) / (2 * h * l), g = side * r / (h * l);
-            else if (r <= h - l) s = 1 - r / h, g = side / h;
-            else if (r <= h + l) s = (h + l - r) * (h + l - r) / (4 * h * l), g = side * (h + l - r) / (2 * h * l);
+            if (r <= l)
+                s = 1 - (r * r + l * l) / (2 * h * l), g = side * r / (h * l);
+            else if (r <= h - l)
+                s = 1 - r / h, g = side / h;
+            else if (r <= h + l)
+                s = (h + l - r) * (h + l - r) / (4 * h * l), g = side * (h + l - r) / (2 * h * l);
             EXPECT_NEAR(weight(*shape, x, l, 3), s, 1e-14);
             EXPECT_NEAR(weight(*shape, x, l, 3, true), g, 1e-13);
         }
@@ -128,7 +135,8 @@ TEST(Gimp, WithOneParticleACellIsTheQuadraticSpline) {
     for (double x = 0.02; x < 4; x += 0.031)
         for (int node = -1; node < 10; ++node)
             for (const bool gradient : {false, true})
-                EXPECT_NEAR(weight(*gimp, x, 0.25, node, gradient), weight(*spline, x, 0, node, gradient), 1e-14);
+                EXPECT_NEAR(weight(*gimp, x, 0.25, node, gradient), weight(*spline, x, 0, node, gradient),
+                            1e-14);
 }
 
 /// The derivative of a cubic B-spline is the difference of two quadratic ones.
@@ -139,7 +147,8 @@ TEST(BSpline, CubicFollowsFromQuadratic) {
     for (double x = 0.6; x < 3.2; x += 0.0171)
         for (int node = 0; node < 8; ++node)
             EXPECT_NEAR(weight(*cubic, x, 0, node, true),
-                        (weight(*quadratic, x + h / 2, 0, node) - weight(*quadratic, x - h / 2, 0, node)) / h, 1e-13);
+                        (weight(*quadratic, x + h / 2, 0, node) - weight(*quadratic, x - h / 2, 0, node)) / h,
+                        1e-13);
     EXPECT_NEAR(weight(*cubic, 1.5, 0, 3), 2.0 / 3, 1e-15);
     EXPECT_NEAR(weight(*cubic, 1.5, 0, 4), 1.0 / 6, 1e-15);
 }

@@ -154,14 +154,16 @@ class TransferChecks {
             const Vector v = velocity(cloud_.particles.position(p));
             for (int c = 0; c < d; ++c) cloud_.particles.column(Field::velocity, c)[p] = v[c];
             if (!transfer_.affine()) continue;
-            for (int c = 0; c < d * d; ++c) cloud_.particles.column(*transfer_.affine(), c)[p] = gradient.data()[c];
+            for (int c = 0; c < d * d; ++c)
+                cloud_.particles.column(*transfer_.affine(), c)[p] = gradient.data()[c];
         }
     }
     void randomise_particles() {
         std::mt19937 random(3);
         std::uniform_real_distribution<Real> value(-1, 1);
-        set_particles([&](const Vector&) -> Vector { return Vector::NullaryExpr([&] { return value(random); }); },
-                      slope());
+        set_particles(
+            [&](const Vector&) -> Vector { return Vector::NullaryExpr([&] { return value(random); }); },
+            slope());
     }
 
     void project() {
@@ -179,7 +181,8 @@ class TransferChecks {
     void accelerate(const Vector& a, Real dt) {
         set_nodes(patch_, NodeField::acceleration, [&](const Vector&) { return a; });
         for (int c = 0; c < d; ++c)
-            for (Index i = 0; i < patch_.node_count(); ++i) patch_.column(NodeField::velocity, c)[i] += a[c] * dt;
+            for (Index i = 0; i < patch_.node_count(); ++i)
+                patch_.column(NodeField::velocity, c)[i] += a[c] * dt;
     }
     void update(Real dt) {
         Gather what{.acceleration = transfer_.needs_acceleration(), .affine = transfer_.needs_affine()};
@@ -209,11 +212,13 @@ class TransferChecks {
     std::vector<double> node_angular_momentum() const {
         std::vector<double> sum(static_cast<std::size_t>(d * (d - 1) / 2));
         for (int i = 0; i < static_cast<int>(patch_.node_count()); ++i) {
-            const Vector x = patch_.node_position(patch_.node_coordinates(i)), v = node(NodeField::velocity, i);
+            const Vector x = patch_.node_position(patch_.node_coordinates(i)),
+                         v = node(NodeField::velocity, i);
             std::size_t k = 0;
             for (int a = 0; a < d; ++a)
                 for (int b = a + 1; b < d; ++b)
-                    sum[k++] += static_cast<double>(patch_.column(NodeField::mass)[i] * (x[a] * v[b] - x[b] * v[a]));
+                    sum[k++] +=
+                        static_cast<double>(patch_.column(NodeField::mass)[i] * (x[a] * v[b] - x[b] * v[a]));
         }
         return sum;
     }

@@ -48,7 +48,9 @@ TEST(Flip, MixesTheGridsVelocity) {
     EXPECT_DOUBLE_EQ(updated(flip(1, false)), 5);
 }
 
-TEST(Apic, TakesTheGridsVelocity) { EXPECT_DOUBLE_EQ(updated({{"type", "apic"}}), 5); }
+TEST(Apic, TakesTheGridsVelocity) {
+    EXPECT_DOUBLE_EQ(updated({{"type", "apic"}}), 5);
+}
 
 TEST(Flip, KnowsWhatGradientEnhancementNeeds) {
     const Schema schema = schema_of("transfer", "flip");
@@ -56,8 +58,10 @@ TEST(Flip, KnowsWhatGradientEnhancementNeeds) {
         return Json{{"integrator", {{"type", integrator}}}, {"shape_function", {{"type", shape}}}};
     };
     const char* pointer = "/gradient_enhanced";
-    EXPECT_TRUE(has_rule(schema, true, pointer, flip(0, true), scene("usf", "gimp")));
-    EXPECT_FALSE(has_rule(schema, true, pointer, flip(0, true), scene("usl", "gimp")));
+    for (const char* integrator : {"usf", "musl", "uvf"})
+        EXPECT_TRUE(has_rule(schema, true, pointer, flip(0, true), scene(integrator, "gimp"))) << integrator;
+    for (const char* integrator : {"usl", "central_difference"})
+        EXPECT_FALSE(has_rule(schema, true, pointer, flip(0, true), scene(integrator, "gimp"))) << integrator;
     EXPECT_FALSE(has_rule(schema, true, pointer, flip(0, false), scene("usf", "gimp")));
     EXPECT_TRUE(has_rule(schema, false, pointer, flip(0, true), scene("usl", "linear")));
     EXPECT_FALSE(has_rule(schema, false, pointer, flip(0, true), scene("usl", "gimp")));

@@ -23,8 +23,8 @@ class DelegatingShape : public ShapeFunction<S> {
                  const Scatter& what) const override {
         shape_of(particles).scatter(patch, particles, begin, end, what);
     }
-    void gather(const Patch<S>& patch, const Particles<S>& particles, Index begin, Index end, const Gather& what,
-                GatherSink<S>& sink) const override {
+    void gather(const Patch<S>& patch, const Particles<S>& particles, Index begin, Index end,
+                const Gather& what, GatherSink<S>& sink) const override {
         shape_of(particles).gather(patch, particles, begin, end, what, sink);
     }
     void spread(Patch<S>& patch, std::span<const PointSource<S>> sources, NodeField field) const override {

@@ -30,9 +30,10 @@ class Patch {
     using Real = typename S::Real;
     using Vector = typename S::Vector;
     using Coordinates = std::array<int, S::dimension>;
-    /// Nodes along a block's edge.
-    static constexpr int block_edge = 4;
-    static constexpr int block_nodes = S::dimension == 1 ? 4 : S::dimension == 2 ? 16 : 64;
+    /// Nodes along a block's edge, a power of two; a block has 64 nodes in every dimension.
+    static constexpr int block_shift = S::dimension == 1 ? 6 : S::dimension == 2 ? 3 : 2;
+    static constexpr int block_edge = 1 << block_shift;
+    static constexpr int block_nodes = 64;
 
     /// `min`: lower corner, m; `cell_size` h per axis, m; `cells` per axis.
     Patch(const std::array<double, 3>& min, const std::array<double, 3>& cell_size, const Coordinates& cells);
@@ -49,7 +50,7 @@ class Patch {
 
     /// Blocks per axis (ghosts included), and the number of a block in the full lattice of blocks.
     const Coordinates& blocks() const { return blocks_; }
-    static int block_of(int node) { return (node + 1) >> 2; }
+    static int block_of(int node) { return (node + 1) >> block_shift; }
     int block_number(const Coordinates& block) const {
         int number = 0;
         for (int a = S::dimension - 1; a >= 0; --a) number = number * blocks_[static_cast<std::size_t>(a)] + block[static_cast<std::size_t>(a)];
@@ -69,8 +70,8 @@ class Patch {
         int number = 0, local = 0;
         for (int a = S::dimension - 1; a >= 0; --a) {
             const int stored = node[static_cast<std::size_t>(a)] + 1;
-            number = number * blocks_[static_cast<std::size_t>(a)] + (stored >> 2);
-            local = local * block_edge + (stored & 3);
+            number = number * blocks_[static_cast<std::size_t>(a)] + (stored >> block_shift);
+            local = local * block_edge + (stored & (block_edge - 1));
         }
         const int slot = slots_[static_cast<std::size_t>(number)];
         return slot < 0 ? -1 : slot * block_nodes + local;

@@ -16,8 +16,8 @@ class Pack {
 
     Pack() = default;  ///< lanes are not initialised
     template <class Number>
-        requires std::is_arithmetic_v<Number>
-    Pack(Number x) : v_(broadcast<Lanes>(static_cast<Real>(x), std::make_index_sequence<lanes>())) {}
+    requires std::is_arithmetic_v<Number> Pack(Number x)
+        : v_(broadcast<Lanes>(static_cast<Real>(x), std::make_index_sequence<lanes>())) {}
 
     static Pack load(const Real* from) {
         Pack a;
@@ -44,7 +44,8 @@ class Pack {
     friend Pack inverse_or_zero(Pack a) { return Pack(a.v_ != Lanes{} ? Pack(1).v_ / a.v_ : Lanes{}); }
     /// The first `count` lanes of a; those of `rest` beyond.
     friend Pack head(Pack a, int count, Pack rest) {
-        const Integers last = broadcast<Integers>(static_cast<Integer>(count), std::make_index_sequence<lanes>());
+        const Integers last =
+            broadcast<Integers>(static_cast<Integer>(count), std::make_index_sequence<lanes>());
         return Pack(numbering(std::make_index_sequence<lanes>()) < last ? a.v_ : rest.v_);
     }
     /// Sum of the lanes of each of the packs a[0] … a[lanes - 1].
@@ -54,7 +55,9 @@ class Pack {
             return fold<1, 0, 4, 2, 6>(halves(0), halves(1));
         } else {
             const auto halves = [&](int i) { return fold<4, 0, 1, 2, 3, 8, 9, 10, 11>(a[i], a[i + 4]); };
-            const auto quarters = [&](int i) { return fold<2, 0, 1, 8, 9, 4, 5, 12, 13>(halves(i), halves(i + 2)); };
+            const auto quarters = [&](int i) {
+                return fold<2, 0, 1, 8, 9, 4, 5, 12, 13>(halves(i), halves(i + 2));
+            };
             return fold<1, 0, 8, 2, 10, 4, 12, 6, 14>(quarters(0), quarters(1));
         }
     }
@@ -77,7 +80,8 @@ class Pack {
     /// Lanes I of a and b laid end to end, each plus the lane `step` further on.
     template <int step, int... I>
     static Pack fold(Pack a, Pack b) {
-        return Pack(__builtin_shufflevector(a.v_, b.v_, I...) + __builtin_shufflevector(a.v_, b.v_, (I + step)...));
+        return Pack(__builtin_shufflevector(a.v_, b.v_, I...) +
+                    __builtin_shufflevector(a.v_, b.v_, (I + step)...));
     }
 
     Lanes v_;

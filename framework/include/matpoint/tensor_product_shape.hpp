@@ -1,7 +1,7 @@
 #pragma once
 
-#include <matpoint/pack.hpp>
 #include <matpoint/shape_function.hpp>
+#include <matpoint/stencil_loops.hpp>
 
 #include <algorithm>
 
@@ -53,8 +53,8 @@ class TensorProductShape : public ShapeFunction<S> {
             });
     }
 
-    void gather(const Patch<S>& patch, const Particles<S>& particles, Index begin, Index end, const Gather& what,
-                GatherSink<S>& sink) const override {
+    void gather(const Patch<S>& patch, const Particles<S>& particles, Index begin, Index end,
+                const Gather& what, GatherSink<S>& sink) const override {
         Gathered<S> gathered;
         for (Index p = begin; p < end;) {
             const auto visit = [&](Index first, int count, const Coordinates& base) {
@@ -70,10 +70,10 @@ class TensorProductShape : public ShapeFunction<S> {
         int nodes[N];
         Axes<Real> weights, derivatives;
         for (const PointSource<S>& source : sources) {
-            patch.template stencil<W>(evaluate_at(patch, source.position, source.half_size, weights, derivatives),
-                                      nodes);
+            patch.template stencil<W>(
+                evaluate_at(patch, source.position, source.half_size, weights, derivatives), nodes);
             for (int k = 0; k < N; ++k) {
-                const Real weight = weights[0][k % W] * row_product(weights, weights, 0, k / W);
+                const Real weight = weights[0][k % W] * Loops::row_product(weights, weights, 0, k / W);
                 for (int c = 0; c < D; ++c) patch.column(field, c)[nodes[k]] += weight * source.value[c];
             }
         }
@@ -87,43 +87,35 @@ class TensorProductShape : public ShapeFunction<S> {
             Coordinates node = base;
             for (int a = 0, rest = k; a < D; ++a, rest /= W) node[a] += rest % W;
             stencil.nodes.push_back(node);
-            stencil.weights.push_back(weights[0][k % W] * row_product(weights, weights, 0, k / W));
+            stencil.weights.push_back(weights[0][k % W] * Loops::row_product(weights, weights, 0, k / W));
             Vector gradient;
             for (int a = 0; a < D; ++a)
-                gradient[a] = (a == 0 ? derivatives : weights)[0][k % W] * row_product(weights, derivatives, a, k / W);
+                gradient[a] = (a == 0 ? derivatives : weights)[0][k % W] *
+                              Loops::row_product(weights, derivatives, a, k / W);
             stencil.gradients.push_back(gradient);
         }
         return stencil;
     }
 
   private:
-    static constexpr int D = S::dimension;
-    static constexpr int W = Kernel::width;
-    /// Nodes of a stencil: rows along the first axis.
-    static constexpr int rows = D == 1 ? 1 : D == 2 ? W : W * W;
-    static constexpr int N = rows * W;
-
-    using Lanes = Pack<Real>;
+    using Loops = StencilLoops<Real, S::dimension, Kernel::width>;
+    static constexpr int D = Loops::D, W = Loops::W, N = Loops::N;
+    using Lanes = typename Loops::Lanes;
+    using LaneVector = typename Loops::LaneVector;
+    using LaneMatrix = typename Loops::LaneMatrix;
+    using Weights = typename Loops::Weights;
+    using Nodal = typename Loops::Nodal;
+    template <class T>
+    using Axes = typename Loops::template Axes<T>;
     /// Most packs in a run.
     static constexpr int max_packs = batch_size / Lanes::lanes;
-
-    /// One number for each node along each axis.
-    template <class T>
-    using Axes = std::array<std::array<T, W>, D>;
     using Bases = std::array<std::array<int, batch_size>, D>;
-    template <int C>
-    using Columns = std::array<Real*, C>;
-    /// Values of C components at the nodes of a stencil.
-    template <int C>
-    using Nodal = std::array<std::array<Real, N>, C>;
-    using LaneVector = std::array<Lanes, D>;
-    using LaneMatrix = std::array<LaneVector, D>;
 
     /// Particles of a run that are treated at once.
     struct Slice {
         Index first;
-        int count;     ///< lanes in use; the others repeat the first particle
-        bool readable; ///< whether a whole Pack can be read from the columns
+        int count;      ///< lanes in use; the others repeat the first particle
+        bool readable;  ///< whether a whole Pack can be read from the columns
 
         Lanes load(const Real* column) const {
             Lanes a;
@@ -138,12 +130,8 @@ class TensorProductShape : public ShapeFunction<S> {
         Lanes load_or_zero(const Real* column) const { return head(load(column), count, Lanes(0)); }
     };
 
-    struct Weights {
-        Axes<Lanes> value, derivative;  ///< derivatives in 1/m
-        LaneVector s;                   ///< position in cells from the stencil's first node
-    };
-
-    static void find_bases(const Patch<S>& patch, const Particles<S>& particles, Index begin, int count, Bases& bases) {
+    static void find_bases(const Patch<S>& patch, const Particles<S>& particles, Index begin, int count,
+                           Bases& bases) {
         for (int a = 0; a < D; ++a) {
             const Real* x = particles.column(Field::position, a) + begin;
             const Real min = patch.min()[a], scale = patch.inverse_cell_size()[a];
@@ -181,16 +169,19 @@ class TensorProductShape : public ShapeFunction<S> {
 
     static Slice slice(const Particles<S>& particles, Index first, int count, int k) {
         const Index begin = first + k * Lanes::lanes;
-        return {begin, std::min(Lanes::lanes, count - k * Lanes::lanes), begin + Lanes::lanes <= particles.size()};
+        return {begin, std::min(Lanes::lanes, count - k * Lanes::lanes),
+                begin + Lanes::lanes <= particles.size()};
     }
 
-    static void weigh(const Patch<S>& patch, const Particles<S>& particles, const Slice& slice, const Coordinates& base,
-                      Weights& weights) {
+    static void weigh(const Patch<S>& patch, const Particles<S>& particles, const Slice& slice,
+                      const Coordinates& base, Weights& weights) {
         for (int a = 0; a < D; ++a) {
             const Lanes scale(patch.inverse_cell_size()[a]);
-            const Lanes xi = (slice.load(particles.column(Field::position, a)) - Lanes(patch.min()[a])) * scale;
+            const Lanes xi =
+                (slice.load(particles.column(Field::position, a)) - Lanes(patch.min()[a])) * scale;
             Lanes half_size(0);
-            if constexpr (Kernel::sized) half_size = slice.load(particles.column(Field::half_size, a)) * scale;
+            if constexpr (Kernel::sized)
+                half_size = slice.load(particles.column(Field::half_size, a)) * scale;
             weights.s[a] = xi - Lanes(base[a]);
             Kernel::evaluate(weights.s[a], half_size, weights.value[a].data(), weights.derivative[a].data());
             for (Lanes& derivative : weights.derivative[a]) derivative *= scale;
@@ -217,14 +208,6 @@ class TensorProductShape : public ShapeFunction<S> {
                 moments[a][k] = weights.value[a][k] * (Lanes(k) - weights.s[a]) * Lanes(patch.cell_size()[a]);
     }
 
-    /// Product of a row's weights over all axes but the first, with those of axis b from `slopes`.
-    template <class T>
-    static T row_product(const Axes<T>& weights, const Axes<T>& slopes, int b, int row) {
-        T product(1);
-        for (int a = 1; a < D; ++a, row /= W) product *= (a == b ? slopes : weights)[a][row % W];
-        return product;
-    }
-
     // --- Particles to nodes ---------------------------------------------------------------------
 
     static void scatter_run(Patch<S>& patch, const Particles<S>& particles, Index first, int count,
@@ -232,7 +215,8 @@ class TensorProductShape : public ShapeFunction<S> {
         const int packs = (count + Lanes::lanes - 1) / Lanes::lanes;
         if (packs < 1) __builtin_unreachable();  // a run has particles
         std::array<Weights, max_packs> weights;
-        for (int k = 0; k < packs; ++k) weigh(patch, particles, slice(particles, first, count, k), base, weights[k]);
+        for (int k = 0; k < packs; ++k)
+            weigh(patch, particles, slice(particles, first, count, k), base, weights[k]);
         int nodes[N];
         patch.template stencil<W>(base, nodes);
         const auto at = [&](int k) { return slice(particles, first, count, k); };
@@ -240,15 +224,18 @@ class TensorProductShape : public ShapeFunction<S> {
         if (what.mass) {
             std::array<std::array<Lanes, 1>, max_packs> mass;
             for (int k = 0; k < packs; ++k) mass[k][0] = at(k).load_or_zero(particles.column(Field::mass));
-            add_values<1>(weights.data(), mass.data(), packs, nodes, {patch.column(NodeField::mass)});
+            Loops::template add_values<1>(weights.data(), mass.data(), packs, nodes,
+                                          {patch.column(NodeField::mass)});
         }
         if (what.momentum) {
             std::array<LaneVector, max_packs> momentum;
             for (int k = 0; k < packs; ++k) {
                 const Lanes mass = at(k).load_or_zero(particles.column(Field::mass));
-                for (int c = 0; c < D; ++c) momentum[k][c] = mass * at(k).load(particles.column(Field::velocity, c));
+                for (int c = 0; c < D; ++c)
+                    momentum[k][c] = mass * at(k).load(particles.column(Field::velocity, c));
             }
-            add_values<D>(weights.data(), momentum.data(), packs, nodes, columns(patch, *what.momentum));
+            Loops::template add_values<D>(weights.data(), momentum.data(), packs, nodes,
+                                          columns(patch, *what.momentum));
             if (what.affine_slot >= 0) {
                 std::array<Axes<Lanes>, max_packs> moments;
                 std::array<LaneMatrix, max_packs> affine;
@@ -257,11 +244,12 @@ class TensorProductShape : public ShapeFunction<S> {
                     find_moments(patch, weights[k], moments[k]);
                     for (int c = 0; c < D; ++c)
                         for (int a = 0; a < D; ++a)
-                            affine[k][c][a] = mass * at(k).load(particles.column(what.affine_slot, c + D * a));
+                            affine[k][c][a] =
+                                mass * at(k).load(particles.column(what.affine_slot, c + D * a));
                 }
-                add_gradients(
-                    weights.data(), [&](int k) -> const Axes<Lanes>& { return moments[k]; }, affine.data(), packs,
-                    nodes, columns(patch, *what.momentum));
+                Loops::add_gradients(
+                    weights.data(), [&](int k) -> const Axes<Lanes>& { return moments[k]; }, affine.data(),
+                    packs, nodes, columns(patch, *what.momentum));
             }
         }
         if (what.internal_force) scatter_force(patch, particles, first, count, weights.data(), packs, nodes);
@@ -280,92 +268,26 @@ class TensorProductShape : public ShapeFunction<S> {
                 for (int a = 0; a < D; ++a)
                     flux[k][c][a] = volume * at.load(particles.column(Field::stress, component[c][a]));
         }
-        add_gradients(
-            weights, [&](int k) -> const Axes<Lanes>& { return weights[k].derivative; }, flux.data(), packs, nodes,
-            columns(patch, NodeField::force));
+        Loops::add_gradients(
+            weights, [&](int k) -> const Axes<Lanes>& { return weights[k].derivative; }, flux.data(), packs,
+            nodes, columns(patch, NodeField::force));
         if constexpr (S::axisymmetric) {
             std::array<std::array<Lanes, 1>, max_packs> hoop;
             for (int k = 0; k < packs; ++k) {
                 const Slice at = slice(particles, first, count, k);
                 hoop[k][0] = -at.load_or_zero(particles.column(Field::volume)) *
-                             at.load(particles.column(Field::stress, 2)) / at.load(particles.column(Field::position, 0));
+                             at.load(particles.column(Field::stress, 2)) /
+                             at.load(particles.column(Field::position, 0));
             }
-            add_values<1>(weights, hoop.data(), packs, nodes, {patch.column(NodeField::force, 0)});
+            Loops::template add_values<1>(weights, hoop.data(), packs, nodes,
+                                          {patch.column(NodeField::force, 0)});
         }
     }
 
-    static Columns<D> columns(Patch<S>& patch, NodeField field) {
-        Columns<D> columns;
+    static std::array<Real*, D> columns(Patch<S>& patch, NodeField field) {
+        std::array<Real*, D> columns;
         for (int c = 0; c < D; ++c) columns[c] = patch.column(field, c);
         return columns;
-    }
-
-    /// Sums for C components at the nodes of a stencil, one share a lane.
-    template <int C>
-    struct NodeSums {
-        static constexpr int size = (C * N + Lanes::lanes - 1) / Lanes::lanes * Lanes::lanes;
-        std::array<Lanes, size> lanes;
-
-        NodeSums() { std::fill(lanes.begin() + C * N, lanes.end(), Lanes(0)); }
-        void add_to(const Columns<C>& columns, const int* nodes) const {
-            std::array<Real, size> sums;
-            for (int j = 0; j < size; j += Lanes::lanes) Lanes::sums(&lanes[j]).store(&sums[j]);
-            for (int i = 0; i < N; ++i)
-                for (int c = 0; c < C; ++c) columns[c][nodes[i]] += sums[c * N + i];
-        }
-    };
-
-    /// column_c at node i += sum_p S_ip value_c.
-    template <int C>
-    static void add_values(const Weights* weights, const std::array<Lanes, C>* values, int packs, const int* nodes,
-                           const Columns<C>& columns) {
-        NodeSums<C> node_sums;
-        for (int row = 0; row < rows; ++row) {
-            Lanes sums[C][W];
-            for (int c = 0; c < C; ++c)
-                for (int i = 0; i < W; ++i) sums[c][i] = Lanes(0);
-            for (int k = 0; k < packs; ++k) {
-                const Axes<Lanes>& weight = weights[k].value;
-                const Lanes product = row_product(weight, weight, 0, row);
-                for (int c = 0; c < C; ++c) {
-                    const Lanes value = product * values[k][c];
-                    for (int i = 0; i < W; ++i) sums[c][i] += weight[0][i] * value;
-                }
-            }
-            for (int c = 0; c < C; ++c)
-                for (int i = 0; i < W; ++i) node_sums.lanes[c * N + row * W + i] = sums[c][i];
-        }
-        node_sums.add_to(columns, nodes);
-    }
-
-    /// column_c at node i += sum_p sum_a G_a matrix_ca, where G_a is S_ip with `slopes` for the weights
-    /// of axis a: grad S if they are derivatives, S (x_i - x_p) if they are moments.
-    template <class Slopes>
-    static void add_gradients(const Weights* weights, const Slopes& slopes, const LaneMatrix* matrix, int packs,
-                              const int* nodes, const Columns<D>& columns) {
-        NodeSums<D> node_sums;
-        for (int row = 0; row < rows; ++row) {
-            Lanes sums[D][W];
-            for (int c = 0; c < D; ++c)
-                for (int i = 0; i < W; ++i) sums[c][i] = Lanes(0);
-            for (int k = 0; k < packs; ++k) {
-                const Axes<Lanes>&weight = weights[k].value, &slope = slopes(k);
-                LaneVector product;
-                for (int a = 0; a < D; ++a) product[a] = row_product(weight, slope, a, row);
-                for (int c = 0; c < D; ++c) {
-                    const Lanes along = product[0] * matrix[k][c][0];
-                    Lanes across(0);
-                    for (int a = 1; a < D; ++a) across += product[a] * matrix[k][c][a];
-                    for (int i = 0; i < W; ++i) {
-                        sums[c][i] += slope[0][i] * along;
-                        sums[c][i] += weight[0][i] * across;
-                    }
-                }
-            }
-            for (int c = 0; c < D; ++c)
-                for (int i = 0; i < W; ++i) node_sums.lanes[c * N + row * W + i] = sums[c][i];
-        }
-        node_sums.add_to(columns, nodes);
     }
 
     // --- Nodes to particles ---------------------------------------------------------------------
@@ -375,7 +297,7 @@ class TensorProductShape : public ShapeFunction<S> {
                            const Coordinates& base, const Gather& what, Gathered<S>& gathered, int at) {
         int nodes[N];
         patch.template stencil<W>(base, nodes);
-        Nodal<D> velocity, acceleration, gradient, affine;
+        Nodal velocity, acceleration, gradient, affine;
         if (what.velocity) load(patch, *what.velocity, nodes, velocity);
         if (what.acceleration) load(patch, NodeField::acceleration, nodes, acceleration);
         if (what.gradient) load(patch, *what.gradient, nodes, gradient);
@@ -385,12 +307,14 @@ class TensorProductShape : public ShapeFunction<S> {
             const Slice particle = slice(particles, first, count, k);
             Weights weights;
             weigh(patch, particles, particle, base, weights);
-            if (what.velocity) store(interpolate(weights.value, velocity), gathered.velocity, at, particle.count);
+            if (what.velocity)
+                store(Loops::interpolate(weights.value, velocity), gathered.velocity, at, particle.count);
             if (what.acceleration)
-                store(interpolate(weights.value, acceleration), gathered.acceleration, at, particle.count);
+                store(Loops::interpolate(weights.value, acceleration), gathered.acceleration, at,
+                      particle.count);
             if (what.gradient) {
                 LaneVector value;
-                const LaneMatrix l = differentiate(weights.value, weights.derivative, gradient, value);
+                const LaneMatrix l = Loops::differentiate(weights.value, weights.derivative, gradient, value);
                 store(l, gathered.velocity_gradient, at, particle.count);
                 if constexpr (S::axisymmetric)
                     store(value[0] / particle.load(particles.column(Field::position, 0)),
@@ -401,7 +325,8 @@ class TensorProductShape : public ShapeFunction<S> {
                 find_moments(patch, weights, moments);
                 invert_inertia(patch, weights, moments);
                 LaneVector value;
-                store(differentiate(weights.value, moments, affine, value), gathered.affine, at, particle.count);
+                store(Loops::differentiate(weights.value, moments, affine, value), gathered.affine, at,
+                      particle.count);
             }
         }
     }
@@ -416,51 +341,11 @@ class TensorProductShape : public ShapeFunction<S> {
         }
     }
 
-    static void load(const Patch<S>& patch, NodeField field, const int* nodes, Nodal<D>& values) {
+    static void load(const Patch<S>& patch, NodeField field, const int* nodes, Nodal& values) {
         for (int c = 0; c < D; ++c) {
             const Real* column = patch.column(field, c);
             for (int k = 0; k < N; ++k) values[c][k] = column[nodes[k]];
         }
-    }
-
-    /// sum_i S_ip f_i.
-    static LaneVector interpolate(const Axes<Lanes>& weights, const Nodal<D>& f) {
-        LaneVector value;
-        for (int c = 0; c < D; ++c) value[c] = Lanes(0);
-        for (int row = 0; row < rows; ++row) {
-            const Lanes product = row_product(weights, weights, 0, row);
-            for (int c = 0; c < D; ++c) {
-                Lanes along(0);
-                for (int i = 0; i < W; ++i) along += weights[0][i] * Lanes(f[c][row * W + i]);
-                value[c] += product * along;
-            }
-        }
-        return value;
-    }
-
-    /// [c][a]: sum_i f_c G_a, with G_a as in add_gradients; and sum_i S_ip f_i.
-    static LaneMatrix differentiate(const Axes<Lanes>& weights, const Axes<Lanes>& slopes, const Nodal<D>& f,
-                                    LaneVector& value) {
-        LaneMatrix gradient;
-        for (int c = 0; c < D; ++c) {
-            value[c] = Lanes(0);
-            for (int a = 0; a < D; ++a) gradient[c][a] = Lanes(0);
-        }
-        for (int row = 0; row < rows; ++row) {
-            LaneVector product;
-            for (int a = 0; a < D; ++a) product[a] = row_product(weights, slopes, a, row);
-            for (int c = 0; c < D; ++c) {
-                Lanes along(0), slope(0);
-                for (int i = 0; i < W; ++i) {
-                    along += weights[0][i] * Lanes(f[c][row * W + i]);
-                    slope += slopes[0][i] * Lanes(f[c][row * W + i]);
-                }
-                value[c] += product[0] * along;
-                gradient[c][0] += product[0] * slope;
-                for (int a = 1; a < D; ++a) gradient[c][a] += product[a] * along;
-            }
-        }
-        return gradient;
     }
 
     static void store(Lanes values, std::array<Real, batch_size>& column, int at, int count) {
@@ -471,13 +356,13 @@ class TensorProductShape : public ShapeFunction<S> {
         }
     }
     template <std::size_t Components>
-    static void store(const LaneVector& values, std::array<std::array<Real, batch_size>, Components>& columns, int at,
-                      int count) {
+    static void store(const LaneVector& values, std::array<std::array<Real, batch_size>, Components>& columns,
+                      int at, int count) {
         for (int c = 0; c < D; ++c) store(values[c], columns[c], at, count);
     }
     template <std::size_t Components>
-    static void store(const LaneMatrix& values, std::array<std::array<Real, batch_size>, Components>& columns, int at,
-                      int count) {
+    static void store(const LaneMatrix& values, std::array<std::array<Real, batch_size>, Components>& columns,
+                      int at, int count) {
         for (int c = 0; c < D; ++c)
             for (int a = 0; a < D; ++a) store(values[c][a], columns[c + D * a], at, count);
     }

@@ -57,9 +57,8 @@ void spread_particles(Json& given, int dimension, const std::string& at, Validat
 }
 
 /// Fills in what depends on other keys of the scene, wherever those are well-formed.
-void fill_in_dependents(Json& scene, const Document& document, int dimension, Validator& validator) {
+void fill_in_dependents(Json& scene, int dimension, Validator& validator) {
     scene.erase("resolved_with");
-    if (is_absent(scene, "title")) scene["title"] = document.path.stem().string();
     if (dimension == 0) return;
     if (is_absent(scene["space"], "mode")) scene["space"]["mode"] = modes(dimension).front();
     if (scene.contains("time") && scene["time"].is_object() && is_absent(scene["time"], "step") &&
@@ -143,12 +142,17 @@ Scene resolve_scene(Document document, Catalogue& catalogue) {
     const int dimension = dimension_of(document.json);
     Validator validator(document, catalogue, dimension, diagnostics);
     Json filled = document.json;
-    if (filled.is_object()) fill_in_dependents(filled, document, dimension, validator);
+    if (filled.is_object()) fill_in_dependents(filled, dimension, validator);
 
     Json resolved = validator.object(scene_schema(), filled, "");
     if (resolved.is_object()) check_sections(resolved, dimension, validator);
     diagnostics.throw_if_errors();
 
+    if (is_absent(resolved, "title")) {
+        Json titled = {{"matpoint", resolved["matpoint"]}, {"title", document.path.stem().string()}};
+        titled.update(resolved);
+        resolved = std::move(titled);
+    }
     Json plugins = Json::array();
     for (const auto& file : plugin_files(document)) plugins.push_back(file.string());
     resolved["plugins"] = plugins;

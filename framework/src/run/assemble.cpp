@@ -5,6 +5,8 @@
 #include "particles/seeding.hpp"
 #include "run/derived_fields.hpp"
 
+#include <algorithm>
+
 namespace matpoint {
 
 namespace {
@@ -70,6 +72,25 @@ void make_outputs(Maker& maker, std::vector<ScheduledOutput>& outputs) {
         scheduled.every_steps = all[k].value("every_steps", 0L);
         outputs.push_back(std::move(scheduled));
     }
+}
+
+/// Outputs of fields that no body carries are mistakes, told before anything runs.
+template <class S>
+void check_observed(Maker& maker, const std::vector<ScheduledOutput>& outputs, const std::vector<Particles<S>>& bodies) {
+    std::vector<std::string> known;
+    for (const Particles<S>& particles : bodies)
+        for (const std::string& name : field_names(particles)) known.push_back(name);
+    std::sort(known.begin(), known.end());
+    known.erase(std::unique(known.begin(), known.end()), known.end());
+    for (std::size_t k = 0; k < outputs.size(); ++k)
+        for (const std::string& name : outputs[k].output->required_fields()) {
+            const auto carried = [&](const Particles<S>& particles) {
+                const std::string body = outputs[k].output->body();
+                return (body.empty() || body == particles.body()) && field_components(particles, name) > 0;
+            };
+            if (std::none_of(bodies.begin(), bodies.end(), carried))
+                maker.mistake("/outputs/" + std::to_string(k), "particles have no field \"" + name + "\"" + did_you_mean(name, known));
+        }
 }
 
 /// The fields that the outputs and checks of a scene look at.
@@ -151,6 +172,7 @@ Assembly<S> assemble(const Scene& scene, const Registry& registry) {
         result.bodies.push_back(std::move(particles));
         ++number;
     }
+    check_observed(maker, result.outputs, result.bodies);
     maker.throw_if_errors();
     for (const auto& load : components.loads) load->start(patch, result.bodies);
     return result;

@@ -107,7 +107,7 @@ class Run {
         const double resumed_at = options_.resume ? simulation_->time() : -1;
         for (const ScheduledOutput& scheduled : simulation_->outputs()) {
             scheduled.output->open(*simulation_, options_.output, resumed_at);
-            scheduled.output->write(*simulation_);
+            if (!options_.resume) scheduled.output->write(*simulation_);
         }
     }
 
@@ -117,7 +117,7 @@ class Run {
             if (signals_received() || (options_.stop_after_steps && simulation_->step() >= *options_.stop_after_steps)) {
                 result.status = RunStatus::interrupted;
                 result.reason = "interrupted; go on with: matpoint restart " + save().string();
-                break;
+                return;
             }
             {
                 const StepTimer timer(clock_);

@@ -33,7 +33,8 @@ std::string unknown_kind(const Json& check) {
 }  // namespace
 
 const std::vector<CheckKind>& check_kinds() {
-    static const std::vector<CheckKind> kinds{gold_check(), probe_check(), summary_check(), particles_check(),
+    static const std::vector<CheckKind> kinds{gold_check(),   twin_check(),    statistic_check(),
+                                              probe_check(),  summary_check(), particles_check(),
                                               restart_check()};
     return kinds;
 }

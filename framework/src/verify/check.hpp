@@ -39,6 +39,8 @@ struct CheckKind {
 };
 
 CheckKind gold_check();       ///< a probe's file, column by column, against one kept
+CheckKind twin_check();       ///< files that another scene must write too
+CheckKind statistic_check();  ///< a number taken from a probe's file
 CheckKind probe_check();      ///< a column of a probe's file against a formula of t
 CheckKind summary_check();    ///< a number in summary.json
 CheckKind particles_check();  ///< a field of the particles at the end against a formula

@@ -5,7 +5,6 @@
 #include <matpoint/profile.hpp>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,22 +14,11 @@
 namespace matpoint {
 namespace {
 
-/// The column asked for, or the only one beside `time`.
-std::string column_of(const Json& check, const Table& table) {
-    if (check.contains("column")) return check.at("column");
-    std::vector<std::string> others = table.names;
-    std::erase(others, "time");
-    if (others.size() != 1) {
-        throw std::runtime_error(fmt::format("{} has several columns: name one by \"column\" ({})",
-                                             table.file.string(), fmt::join(others, ", ")));
-    }
-    return others.front();
-}
-
 CheckResult evaluate(const Json& check, const FinishedRun& run) {
     const std::string probe = check.at("probe");
     const Table table = read_table(run.output / (probe + ".csv"));
-    const std::string name = column_of(check, table);
+    const std::string name =
+        check.contains("column") ? check.at("column").get<std::string>() : table.only_column();
     const std::vector<double>& times = table.column("time");
     const std::vector<double>& values = table.column(name);
     const Profile formula(check.at("formula"));

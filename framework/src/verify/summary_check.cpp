@@ -1,10 +1,9 @@
+#include "verify/bounds.hpp"
 #include "verify/check.hpp"
-#include "verify/tolerance.hpp"
 
 #include "config/nearest.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <cmath>
 #include <stdexcept>
@@ -38,29 +37,7 @@ double number_at(const Json& summary, const std::string& pointer) {
 
 CheckResult evaluate(const Json& check, const FinishedRun& run) {
     const std::string pointer = check.at("summary");
-    const double value = number_at(run.result.summary, pointer);
-    CheckResult result{.holds = true, .measured = {}};
-    std::vector<std::string> bounds;
-    const auto bound = [&](bool holds, const std::string& text) {
-        result.holds = result.holds && holds;
-        bounds.push_back(text);
-    };
-    if (check.contains("below")) {
-        const double limit = check.at("below");
-        bound(value < limit, fmt::format("{} {:.6g}", value < limit ? "<" : "not <", limit));
-    }
-    if (check.contains("above")) {
-        const double limit = check.at("above");
-        bound(value > limit, fmt::format("{} {:.6g}", value > limit ? ">" : "not >", limit));
-    }
-    if (check.contains("equals")) {
-        const double expected = check.at("equals");
-        const Tolerance tolerance(check);
-        const bool equal = std::abs(value - expected) <= tolerance.at(expected);
-        bound(equal, fmt::format("{} {:.9g}", equal ? "=" : "not =", expected));
-    }
-    result.measured = fmt::format("{}: {:.6g} {}", pointer, value, fmt::join(bounds, ", "));
-    return result;
+    return within_bounds(check, pointer, number_at(run.result.summary, pointer));
 }
 
 }  // namespace
@@ -68,19 +45,12 @@ CheckResult evaluate(const Json& check, const FinishedRun& run) {
 CheckKind summary_check() {
     Schema schema("A number in summary.json");
     schema.text("summary", {.doc = "JSON pointer into summary.json, \"/error/linf\""})
-        .number("below", {.doc = "It must be less", .optional = true})
-        .number("above", {.doc = "It must be more", .optional = true})
-        .number("equals",
-                {.doc = "It must be this, within the tolerances; exactly without", .optional = true})
         .text("comment", {.doc = "For readers", .optional = true})
         .refuse("/summary", "expected a JSON pointer into summary.json, such as \"/conservation/mass_drift\"",
                 [](const Json& own, const Json&) {
                     return own.at("summary").is_string() && !is_pointer(own.at("summary").get<std::string>());
-                })
-        .refuse("", "say what must hold: `below`, `above` or `equals`", [](const Json& own, const Json&) {
-            return !own.contains("below") && !own.contains("above") && !own.contains("equals");
-        });
-    Tolerance::describe(schema, false);
+                });
+    describe_bounds(schema);
     return {"summary", schema, evaluate};
 }
 

@@ -3,6 +3,7 @@
 #include "config/nearest.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -33,6 +34,16 @@ const std::vector<double>& Table::column(const std::string& name) const {
             fmt::format("{} has no column \"{}\"{}", file.string(), name, did_you_mean(name, names)));
     }
     return columns[static_cast<std::size_t>(found - names.begin())];
+}
+
+std::string Table::only_column() const {
+    std::vector<std::string> others = names;
+    std::erase(others, "time");
+    if (others.size() != 1) {
+        throw std::runtime_error(fmt::format("{} has several columns: name one by \"column\" ({})",
+                                             file.string(), fmt::join(others, ", ")));
+    }
+    return others.front();
 }
 
 Table read_table(const std::filesystem::path& file) {

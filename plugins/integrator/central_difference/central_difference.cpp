@@ -12,8 +12,10 @@ class CentralDifference final : public Integrator<S> {
     explicit CentralDifference(const Parameters&) {}
 
     static Schema schema() {
-        return Schema("Staggered central difference: velocities live at half steps. The first acceleration is halved, which brings them there from time 0; of second order.",
-                      "[Wallstedt & Guilkey 2008, section 4, eq. 40-50]");
+        return Schema(
+            "Staggered central difference: velocities live at half steps. The first acceleration is halved, "
+            "which brings them there from time 0; of second order.",
+            "[Wallstedt & Guilkey 2008, section 4, eq. 40-50]");
     }
 
     void step(Phases<S>& phases, Real dt) const override {
@@ -29,4 +31,6 @@ class CentralDifference final : public Integrator<S> {
 }  // namespace
 }  // namespace matpoint
 
-MATPOINT_PLUGIN("central_difference", "1.0.0") { registry.integrator<matpoint::CentralDifference>("central_difference"); }
+MATPOINT_PLUGIN("central_difference", "1.0.0") {
+    registry.integrator<matpoint::CentralDifference>("central_difference");
+}

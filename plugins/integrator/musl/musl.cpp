@@ -12,8 +12,10 @@ class Musl final : public Integrator<S> {
     explicit Musl(const Parameters&) {}
 
     static Schema schema() {
-        return Schema("Modified update stress last: the velocity gradient is taken from the updated particle velocities, projected anew. Robust where nodes carry little mass.",
-                      "[Wallstedt & Guilkey 2008, eq. 8-18, 51 for the gradient]");
+        return Schema(
+            "Modified update stress last: the velocity gradient is taken from the updated particle "
+            "velocities, projected anew. Robust where nodes carry little mass.",
+            "[Wallstedt & Guilkey 2008, eq. 8-18, 51 for the gradient]");
     }
 
     std::vector<NodeField> node_fields() const override { return {NodeField::remapped_velocity}; }
@@ -23,11 +25,14 @@ class Musl final : public Integrator<S> {
         phases.accelerate(dt);                                       // eq. 15, 16
         phases.update({.velocity = true}, dt);                       // eq. 18
         phases.remap();                                              // eq. 51
-        phases.update({.position = NodeField::velocity, .stress = NodeField::remapped_velocity}, dt);  // eq. 17, 10-13
+        phases.update({.position = NodeField::velocity, .stress = NodeField::remapped_velocity},
+                      dt);  // eq. 17, 10-13
     }
 };
 
 }  // namespace
 }  // namespace matpoint
 
-MATPOINT_PLUGIN("musl", "1.0.0") { registry.integrator<matpoint::Musl>("musl"); }
+MATPOINT_PLUGIN("musl", "1.0.0") {
+    registry.integrator<matpoint::Musl>("musl");
+}

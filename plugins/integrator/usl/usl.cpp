@@ -12,8 +12,10 @@ class Usl final : public Integrator<S> {
     explicit Usl(const Parameters&) {}
 
     static Schema schema() {
-        return Schema("Update stress last: stress from the velocity that the forces have changed. Damps what the grid does not resolve.",
-                      "[Wallstedt & Guilkey 2008, section 2, eq. 8-19]");
+        return Schema(
+            "Update stress last: stress from the velocity that the forces have changed. Damps what the grid "
+            "does not resolve.",
+            "[Wallstedt & Guilkey 2008, section 2, eq. 8-19]");
     }
 
     void step(Phases<S>& phases, Real dt) const override {
@@ -27,4 +29,6 @@ class Usl final : public Integrator<S> {
 }  // namespace
 }  // namespace matpoint
 
-MATPOINT_PLUGIN("usl", "1.0.0") { registry.integrator<matpoint::Usl>("usl"); }
+MATPOINT_PLUGIN("usl", "1.0.0") {
+    registry.integrator<matpoint::Usl>("usl");
+}

@@ -12,8 +12,10 @@ class Uvf final : public Integrator<S> {
     explicit Uvf(const Parameters&) {}
 
     static Schema schema() {
-        return Schema("Update velocity first: position and velocity gradient are both taken from the updated particle velocities, projected anew.",
-                      "[Wallstedt & Guilkey 2008, section 4, eq. 40-51]");
+        return Schema(
+            "Update velocity first: position and velocity gradient are both taken from the updated particle "
+            "velocities, projected anew.",
+            "[Wallstedt & Guilkey 2008, section 4, eq. 40-51]");
     }
 
     std::vector<NodeField> node_fields() const override { return {NodeField::remapped_velocity}; }
@@ -33,4 +35,6 @@ class Uvf final : public Integrator<S> {
 }  // namespace
 }  // namespace matpoint
 
-MATPOINT_PLUGIN("uvf", "1.0.0") { registry.integrator<matpoint::Uvf>("uvf"); }
+MATPOINT_PLUGIN("uvf", "1.0.0") {
+    registry.integrator<matpoint::Uvf>("uvf");
+}

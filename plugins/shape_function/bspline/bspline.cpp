@@ -60,15 +60,21 @@ template <class S>
 class BSpline final : public DelegatingShape<S> {
   public:
     explicit BSpline(const Parameters& parameters) {
-        if (parameters.integer("order") == 2) spline_ = std::make_unique<TensorProductShape<S, QuadraticSpline>>();
-        else spline_ = std::make_unique<TensorProductShape<S, CubicSpline>>();
+        if (parameters.integer("order") == 2)
+            spline_ = std::make_unique<TensorProductShape<S, QuadraticSpline>>();
+        else
+            spline_ = std::make_unique<TensorProductShape<S, CubicSpline>>();
     }
 
     static Schema schema() {
-        Schema schema("Quadratic or cubic B-splines: a particle is a point, and forces are smooth when it "
-                      "crosses cells.");
-        schema.integer("order", {.doc = "Degree of the polynomials: 2 (3 nodes an axis) or 3 (4 nodes an axis).",
-                                 .default_value = 2, .at_least = 2, .at_most = 3});
+        Schema schema(
+            "Quadratic or cubic B-splines: a particle is a point, and forces are smooth when it "
+            "crosses cells.");
+        schema.integer("order",
+                       {.doc = "Degree of the polynomials: 2 (3 nodes an axis) or 3 (4 nodes an axis).",
+                        .default_value = 2,
+                        .at_least = 2,
+                        .at_most = 3});
         return schema;
     }
 
@@ -82,4 +88,6 @@ class BSpline final : public DelegatingShape<S> {
 }  // namespace
 }  // namespace matpoint
 
-MATPOINT_PLUGIN("bspline", "1.0.0") { registry.shape_function<matpoint::BSpline>("bspline"); }
+MATPOINT_PLUGIN("bspline", "1.0.0") {
+    registry.shape_function<matpoint::BSpline>("bspline");
+}

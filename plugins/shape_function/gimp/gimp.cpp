@@ -50,9 +50,10 @@ class Gimp final : public DelegatingShape<S> {
     explicit Gimp(const Parameters& parameters) : contiguous_(parameters.text("domain") == "contiguous") {}
 
     static Schema schema() {
-        Schema schema("Generalized interpolation: the tent function averaged over each particle's domain, "
-                      "a box aligned with the axes.",
-                      "[Wallstedt & Guilkey 2008, eq. 1-7]");
+        Schema schema(
+            "Generalized interpolation: the tent function averaged over each particle's domain, "
+            "a box aligned with the axes.",
+            "[Wallstedt & Guilkey 2008, eq. 1-7]");
         schema.choice("domain", {.doc = "Whether domains follow the deformation (contiguous, cpGIMP) or keep "
                                         "their initial size (uniform, uGIMP).",
                                  .paper = "[Wallstedt & Guilkey 2008, eq. 7, 63]",
@@ -111,4 +112,6 @@ class Gimp final : public DelegatingShape<S> {
 }  // namespace
 }  // namespace matpoint
 
-MATPOINT_PLUGIN("gimp", "1.0.0") { registry.shape_function<matpoint::Gimp>("gimp"); }
+MATPOINT_PLUGIN("gimp", "1.0.0") {
+    registry.shape_function<matpoint::Gimp>("gimp");
+}

@@ -31,13 +31,16 @@ class Linear final : public TensorProductShape<S, Tent> {
     explicit Linear(const Parameters&) {}
 
     static Schema schema() {
-        return Schema("Piecewise linear: a particle is a point and reaches the corners of its cell. Fast, "
-                      "but forces jump when particles cross cells.",
-                      "[Wallstedt & Guilkey 2008, eq. 2, 3]");
+        return Schema(
+            "Piecewise linear: a particle is a point and reaches the corners of its cell. Fast, "
+            "but forces jump when particles cross cells.",
+            "[Wallstedt & Guilkey 2008, eq. 2, 3]");
     }
 };
 
 }  // namespace
 }  // namespace matpoint
 
-MATPOINT_PLUGIN("linear", "1.0.0") { registry.shape_function<matpoint::Linear>("linear"); }
+MATPOINT_PLUGIN("linear", "1.0.0") {
+    registry.shape_function<matpoint::Linear>("linear");
+}

@@ -14,9 +14,10 @@ class Apic final : public Transfer<S> {
     explicit Apic(const Parameters&) {}
 
     static Schema schema() {
-        return Schema("Affine particle in cell: particles take the grid's velocity and its affine part, which keeps "
-                      "angular momentum; no noise, little damping.",
-                      "[Jiang et al. 2015, eq. 8-10]");
+        return Schema(
+            "Affine particle in cell: particles take the grid's velocity and its affine part, which keeps "
+            "angular momentum; no noise, little damping.",
+            "[Jiang et al. 2015]");
     }
 
     void declare(Particles<S>& particles) const override { particles.require(Field::affine_velocity); }
@@ -25,7 +26,7 @@ class Apic final : public Transfer<S> {
     bool needs_affine() const override { return true; }
     Real grid_share() const override { return Real(1); }
 
-    /// v_p = sum S v_i, C_p = B_p D_p^-1 [Jiang et al. 2015, eq. 9, 10].
+    /// v_p = sum S v_i, C_p = B_p D_p^-1 [Jiang et al. 2015].
     void update(const ParticleBatch<S>& batch, Real) const override {
         const Index count = batch.end() - batch.begin();
         const auto copy = [&](const auto& columns, Field field) {
@@ -41,4 +42,6 @@ class Apic final : public Transfer<S> {
 }  // namespace
 }  // namespace matpoint
 
-MATPOINT_PLUGIN("apic", "1.0.0") { registry.transfer<matpoint::Apic>("apic"); }
+MATPOINT_PLUGIN("apic", "1.0.0") {
+    registry.transfer<matpoint::Apic>("apic");
+}

@@ -18,9 +18,10 @@ class Flip final : public Transfer<S> {
         const auto type_is = [](const Json& scene, const char* section, const char* type) {
             return scene.contains(section) && scene.at(section).value("type", "") == type;
         };
-        Schema schema("Particles keep their velocity and add the grid's acceleration; a share may be replaced "
-                      "by the grid's velocity.",
-                      "[Wallstedt & Guilkey 2008, eq. 9, 18]");
+        Schema schema(
+            "Particles keep their velocity and add the grid's acceleration; a share may be replaced "
+            "by the grid's velocity.",
+            "[Wallstedt & Guilkey 2008, eq. 9, 18]");
         schema
             .number("pic_fraction",
                     {.doc = "Share of the velocity that the grid's replaces in each step (0: FLIP, 1: PIC); "
@@ -28,19 +29,25 @@ class Flip final : public Transfer<S> {
                      .default_value = 0,
                      .at_least = 0,
                      .at_most = 1})
-            .boolean("gradient_enhanced",
-                     {.doc = "Whether particles extend their velocity to the nodes by its gradient, which projects "
-                             "linear fields exactly.",
-                      .paper = "[Wallstedt & Guilkey 2007, eq. 4.1-4.3]",
-                      .default_value = false})
-            .refuse("/gradient_enhanced",
-                    "with the integrator \"usf\" the velocity gradient is a step old, taken before the forces; "
-                    "choose \"usl\", \"musl\", \"uvf\" or \"central_difference\"",
-                    [=](const Json& own, const Json& scene) {
-                        return enhanced(own) && type_is(scene, "integrator", "usf");
-                    })
+            .boolean(
+                "gradient_enhanced",
+                {.doc =
+                     "Whether particles extend their velocity to the nodes by its gradient, which projects "
+                     "linear fields exactly.",
+                 .paper = "[Wallstedt & Guilkey 2007, eq. 4.1-4.3]",
+                 .default_value = false})
+            .refuse(
+                "/gradient_enhanced",
+                "with the integrators \"usf\", \"musl\" and \"uvf\" the gradient is a step older than the "
+                "velocity that it extends to the nodes for the stress, which is unstable; choose \"usl\" or "
+                "\"central_difference\"",
+                [=](const Json& own, const Json& scene) {
+                    const auto is = [&](const char* type) { return type_is(scene, "integrator", type); };
+                    return enhanced(own) && (is("usf") || is("musl") || is("uvf"));
+                })
             .warn("/gradient_enhanced",
-                  "linear shape functions give gradients too poor for it: \"pathologically unstable\" [Wallstedt & "
+                  "linear shape functions give gradients too poor for it: \"pathologically unstable\" "
+                  "[Wallstedt & "
                   "Guilkey 2007, section 5.2]; choose \"gimp\" or \"bspline\"",
                   [=](const Json& own, const Json& scene) {
                       return enhanced(own) && type_is(scene, "shape_function", "linear");
@@ -68,7 +75,8 @@ class Flip final : public Transfer<S> {
             for (Index i = 0; i < count; ++i) v[i] += a[i] * dt;
             if (pic_fraction_ == Real(0)) continue;
             const Real* grid = batch.gathered().velocity[static_cast<std::size_t>(c)].data();
-            for (Index i = 0; i < count; ++i) v[i] = (Real(1) - pic_fraction_) * v[i] + pic_fraction_ * grid[i];
+            for (Index i = 0; i < count; ++i)
+                v[i] = (Real(1) - pic_fraction_) * v[i] + pic_fraction_ * grid[i];
         }
     }
 
@@ -80,4 +88,6 @@ class Flip final : public Transfer<S> {
 }  // namespace
 }  // namespace matpoint
 
-MATPOINT_PLUGIN("flip", "1.0.0") { registry.transfer<matpoint::Flip>("flip"); }
+MATPOINT_PLUGIN("flip", "1.0.0") {
+    registry.transfer<matpoint::Flip>("flip");
+}
