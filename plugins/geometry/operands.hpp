@@ -20,8 +20,9 @@ inline std::vector<std::shared_ptr<Geometry>> make_operands(const Parameters& pa
     std::vector<std::shared_ptr<Geometry>> operands = parameters.geometries("of");
     for (std::size_t i = 0; i < operands.size(); ++i)
         if (operands[i]->points())
-            throw std::invalid_argument("the geometry \"of\"[" + std::to_string(i) +
-                                        "] lists single particles and is not a region: give it a body of its own");
+            throw std::invalid_argument(
+                "the geometry \"of\"[" + std::to_string(i) +
+                "] lists single particles and is not a region: give it a body of its own");
     return operands;
 }
 

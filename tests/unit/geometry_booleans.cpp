@@ -15,7 +15,8 @@ class GeometryBooleans : public GeometryTest {
     void check(const char* type, Logic expected) {
         const auto combined = make({{"type", type}, {"of", {disk, square, bar}}}, 2);
         const auto a = make(disk, 2), b = make(square, 2), c = make(bar, 2);
-        const auto everywhere = lattice(*make({{"type", "box"}, {"min", {-0.1, 0}}, {"max", {1.2, 1}}}, 2), 0.02, 2);
+        const auto everywhere =
+            lattice(*make({{"type", "box"}, {"min", {-0.1, 0}}, {"max", {1.2, 1}}}, 2), 0.02, 2);
         const std::vector<char> bulk = combined->contains(everywhere);
         int found = 0;
         for (std::size_t i = 0; i < everywhere.size(); ++i) {
@@ -25,7 +26,8 @@ class GeometryBooleans : public GeometryTest {
             EXPECT_EQ(combined->contains(x), inside) << x.transpose();
             if (!inside) continue;
             ++found;
-            EXPECT_TRUE((x.array() >= combined->bounds().min.array()).all() && (x.array() <= combined->bounds().max.array()).all());
+            EXPECT_TRUE((x.array() >= combined->bounds().min.array()).all() &&
+                        (x.array() <= combined->bounds().max.array()).all());
         }
         EXPECT_GT(found, 10);
     }
@@ -44,7 +46,8 @@ TEST_F(GeometryBooleans, DifferenceIsInTheFirstOnly) {
 }
 
 TEST_F(GeometryBooleans, Nest) {
-    const auto ring = make({{"type", "difference"}, {"of", {{{"type", "union"}, {"of", {disk, square}}}, bar}}}, 2);
+    const auto ring =
+        make({{"type", "difference"}, {"of", {{{"type", "union"}, {"of", {disk, square}}}, bar}}}, 2);
     EXPECT_TRUE(ring->contains({0.4, 0.7, 0}));
     EXPECT_FALSE(ring->contains({0.4, 0.5, 0}));
     EXPECT_TRUE(ring->contains({0.9, 0.7, 0}));

@@ -3,9 +3,10 @@
 #include "registry/catalogue.hpp"
 
 #include <gtest/gtest.h>
-#include <matpoint/geometry.hpp>
 #include <unistd.h>
+#include <matpoint/geometry.hpp>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -28,8 +29,12 @@ class GeometryTest : public testing::Test {
 
     std::shared_ptr<Geometry> make(Json own, int dimension = 3) {
         fill_defaults(own);
-        const SpaceId space{dimension == 1 ? Mode::bar : dimension == 2 ? Mode::plane_strain : Mode::solid, false};
-        return catalogue.registry().make<Geometry>("geometry", own, {space, folder, &catalogue.registry(), nullptr});
+        const SpaceId space{dimension == 1   ? Mode::bar
+                            : dimension == 2 ? Mode::plane_strain
+                                             : Mode::solid,
+                            false};
+        return catalogue.registry().make<Geometry>("geometry", own,
+                                                   {space, folder, &catalogue.registry(), nullptr});
     }
 
     /// What make() throws; empty if it throws nothing.
@@ -66,7 +71,8 @@ class GeometryTest : public testing::Test {
     }
     void fill_defaults(Json& own) {
         for (const Parameter& parameter : schema_of(own).parameters()) {
-            if (parameter.default_value && !own.contains(parameter.name)) own[parameter.name] = *parameter.default_value;
+            if (parameter.default_value && !own.contains(parameter.name))
+                own[parameter.name] = *parameter.default_value;
             if (parameter.type == ParameterType::components)
                 for (Json& nested : own[parameter.name]) fill_defaults(nested);
         }
@@ -77,7 +83,8 @@ class GeometryTest : public testing::Test {
 inline std::vector<Eigen::Vector3d> lattice(const Geometry& geometry, double h, int dimension) {
     Eigen::Vector3i n = Eigen::Vector3i::Ones();
     const Geometry::Bounds bounds = geometry.bounds();
-    for (int a = 0; a < dimension; ++a) n[a] = static_cast<int>(std::ceil((bounds.max[a] - bounds.min[a]) / h - 1e-9));
+    for (int a = 0; a < dimension; ++a)
+        n[a] = static_cast<int>(std::ceil((bounds.max[a] - bounds.min[a]) / h - 1e-9));
     std::vector<Eigen::Vector3d> points;
     for (int k = 0; k < n[2]; ++k)
         for (int j = 0; j < n[1]; ++j)

@@ -55,7 +55,8 @@ TEST_F(GeometryPoints, ReportsMistakesInTheHeader) {
     const std::string error = error_of_file("x,z,x,vol\n0,0,0,0\n");
     EXPECT_SAYS(error, "points.csv:1: column \"z\" is not known in 2D");
     EXPECT_SAYS(error, "points.csv:1: column \"x\" is there twice");
-    EXPECT_SAYS(error, "points.csv:1: column \"vol\" is not known in 2D; expected some of x, y, vx, vy, volume");
+    EXPECT_SAYS(error,
+                "points.csv:1: column \"vol\" is not known in 2D; expected some of x, y, vx, vy, volume");
     EXPECT_SAYS(error, "points.csv:1: column \"y\" is missing");
     EXPECT_SAYS(error, "points.csv:1: column \"volume\" is missing");
 }

@@ -10,9 +10,12 @@ using std::numbers::pi;
 using GeometryShapes = GeometryTest;
 
 TEST_F(GeometryShapes, BoxHasItsVolumeExactly) {
-    EXPECT_DOUBLE_EQ(measured_volume(*make({{"type", "box"}, {"min", {0.5}}, {"max", {2.0}}}, 1), 0.125, 1), 1.5);
-    EXPECT_DOUBLE_EQ(measured_volume(*make({{"type", "box"}, {"min", {0, 1}}, {"max", {2, 1.5}}}, 2), 0.125, 2), 1.0);
-    EXPECT_DOUBLE_EQ(measured_volume(*make({{"type", "box"}, {"min", {0, 0, -1}}, {"max", {1, 2, 1}}}), 0.125, 3), 4.0);
+    EXPECT_DOUBLE_EQ(measured_volume(*make({{"type", "box"}, {"min", {0.5}}, {"max", {2.0}}}, 1), 0.125, 1),
+                     1.5);
+    EXPECT_DOUBLE_EQ(
+        measured_volume(*make({{"type", "box"}, {"min", {0, 1}}, {"max", {2, 1.5}}}, 2), 0.125, 2), 1.0);
+    EXPECT_DOUBLE_EQ(
+        measured_volume(*make({{"type", "box"}, {"min", {0, 0, -1}}, {"max", {1, 2, 1}}}), 0.125, 3), 4.0);
 }
 
 TEST_F(GeometryShapes, BoxesThatShareAFaceShareNoPoint) {
@@ -38,28 +41,40 @@ TEST_F(GeometryShapes, SphereConvergesAtFirstOrder) {
         std::vector<double> center(static_cast<std::size_t>(dimension), 0.31);
         const auto sphere = make({{"type", "sphere"}, {"center", center}, {"radius", radius}}, dimension);
         for (const double h : {0.1, 0.05, 0.025})
-            EXPECT_NEAR(measured_volume(*sphere, h, dimension), volumes[dimension - 1], 0.5 * surfaces[dimension - 1] * h)
+            EXPECT_NEAR(measured_volume(*sphere, h, dimension), volumes[dimension - 1],
+                        0.5 * surfaces[dimension - 1] * h)
                 << dimension << "D, h = " << h;
     }
 }
 
 TEST_F(GeometryShapes, ObliqueTubeConvergesAtFirstOrder) {
     const double outer = 0.5, inner = 0.3, length = 3;  // end - start = (1, 2, 2)
-    const auto tube = make({{"type", "cylinder"}, {"start", {0, 0, 0}}, {"end", {1, 2, 2}}, {"radius", outer}, {"inner_radius", inner}});
+    const auto tube = make({{"type", "cylinder"},
+                            {"start", {0, 0, 0}},
+                            {"end", {1, 2, 2}},
+                            {"radius", outer},
+                            {"inner_radius", inner}});
     const double volume = pi * (outer * outer - inner * inner) * length;
     const double surface = 2 * pi * (outer + inner) * length;
-    for (const double h : {0.1, 0.05, 0.025}) EXPECT_NEAR(measured_volume(*tube, h, 3), volume, 0.25 * surface * h) << "h = " << h;
+    for (const double h : {0.1, 0.05, 0.025})
+        EXPECT_NEAR(measured_volume(*tube, h, 3), volume, 0.25 * surface * h) << "h = " << h;
 }
 
 TEST_F(GeometryShapes, CylinderHasTightBounds) {
-    const auto cylinder = make({{"type", "cylinder"}, {"start", {0, 0, 1}}, {"end", {0, 0, 5}}, {"radius", 2}});
+    const auto cylinder =
+        make({{"type", "cylinder"}, {"start", {0, 0, 1}}, {"end", {0, 0, 5}}, {"radius", 2}});
     EXPECT_TRUE(cylinder->bounds().min.isApprox(Eigen::Vector3d(-2, -2, 1)));
     EXPECT_TRUE(cylinder->bounds().max.isApprox(Eigen::Vector3d(2, 2, 5)));
 }
 
 TEST_F(GeometryShapes, CylinderRefusesNoLengthAndAWideBore) {
-    EXPECT_EQ(refused({{"type", "cylinder"}, {"start", {1, 1, 1}}, {"end", {1, 1, 1}}, {"radius", 1}}), "/end");
-    EXPECT_EQ(refused({{"type", "cylinder"}, {"start", {0, 0, 0}}, {"end", {1, 1, 1}}, {"radius", 1}, {"inner_radius", 1}}),
+    EXPECT_EQ(refused({{"type", "cylinder"}, {"start", {1, 1, 1}}, {"end", {1, 1, 1}}, {"radius", 1}}),
+              "/end");
+    EXPECT_EQ(refused({{"type", "cylinder"},
+                       {"start", {0, 0, 0}},
+                       {"end", {1, 1, 1}},
+                       {"radius", 1},
+                       {"inner_radius", 1}}),
               "/inner_radius");
 }
 

@@ -57,14 +57,17 @@ Mesh sphere(int levels) {
 /// By the divergence theorem: the sum of the tetrahedra between the origin and the faces.
 double enclosed_volume(const Mesh& mesh) {
     double volume = 0;
-    for (const auto& [a, b, c] : mesh) volume += a.cast<double>().dot(b.cast<double>().cross(c.cast<double>())) / 6;
+    for (const auto& [a, b, c] : mesh)
+        volume += a.cast<double>().dot(b.cast<double>().cross(c.cast<double>())) / 6;
     return volume;
 }
 
 std::string binary(const Mesh& mesh, const std::string& header = "made for a test") {
     std::string data = header;
     data.resize(80, ' ');
-    const auto put = [&](const void* bytes, std::size_t size) { data.append(static_cast<const char*>(bytes), size); };
+    const auto put = [&](const void* bytes, std::size_t size) {
+        data.append(static_cast<const char*>(bytes), size);
+    };
     const auto count = static_cast<std::uint32_t>(mesh.size());
     put(&count, 4);
     for (const auto& triangle : mesh) {
@@ -82,7 +85,8 @@ std::string ascii(const Mesh& mesh) {
     text << "solid a test's mesh\n";
     for (const auto& triangle : mesh) {
         text << "  facet normal 0 0 0\n    outer loop\n";
-        for (const Corner& c : triangle) text << "      vertex " << c[0] << " " << c[1] << " " << c[2] << "\n";
+        for (const Corner& c : triangle)
+            text << "      vertex " << c[0] << " " << c[1] << " " << c[2] << "\n";
         text << "    endloop\n  endfacet\n";
     }
     text << "endsolid a test's mesh\n";
@@ -112,8 +116,10 @@ TEST_F(GeometryStl, SphereConvergesToTheMeshAndTheMeshToTheSphere) {
     const Mesh mesh = sphere(4);
     const auto geometry = make_stl(binary(mesh));
     for (const double h : {0.1, 0.05, 0.025})
-        EXPECT_NEAR(measured_volume(*geometry, h, 3), enclosed_volume(mesh), 0.1 * 4 * std::numbers::pi * h) << "h = " << h;
-    EXPECT_NEAR(measured_volume(*geometry, 0.025, 3), 4 * std::numbers::pi / 3, 0.01 * 4 * std::numbers::pi / 3);
+        EXPECT_NEAR(measured_volume(*geometry, h, 3), enclosed_volume(mesh), 0.1 * 4 * std::numbers::pi * h)
+            << "h = " << h;
+    EXPECT_NEAR(measured_volume(*geometry, 0.025, 3), 4 * std::numbers::pi / 3,
+                0.01 * 4 * std::numbers::pi / 3);
 }
 
 TEST_F(GeometryStl, BinaryAndAsciiAgree) {
@@ -184,7 +190,8 @@ TEST_F(GeometryStl, DegenerateTrianglesAreIgnored) {
 
 TEST_F(GeometryStl, ScalesThenMoves) {
     write("mesh.stl", binary(cube()));
-    const auto geometry = make({{"type", "stl"}, {"file", "mesh.stl"}, {"scale", 0.001}, {"translate", {1, 2, 3}}});
+    const auto geometry =
+        make({{"type", "stl"}, {"file", "mesh.stl"}, {"scale", 0.001}, {"translate", {1, 2, 3}}});
     EXPECT_TRUE(geometry->bounds().min.isApprox(Eigen::Vector3d(1, 2, 3)));
     EXPECT_TRUE(geometry->bounds().max.isApprox(Eigen::Vector3d(1.001, 2.001, 3.001)));
 }
@@ -197,7 +204,8 @@ TEST_F(GeometryStl, TellsWhatIsWrongWithAFile) {
     const std::string sound = binary(cube()), text = ascii(cube());  // 12 triangles: 684 bytes
     EXPECT_SAYS(error_of_stl(""), "mesh.stl is empty");
     EXPECT_SAYS(error_of_stl("hello"), "5 bytes and is not ASCII STL");
-    EXPECT_SAYS(error_of_stl(sound.substr(0, 500)), "announces 12 triangles, which take 684 bytes, but the file has 500");
+    EXPECT_SAYS(error_of_stl(sound.substr(0, 500)),
+                "announces 12 triangles, which take 684 bytes, but the file has 500");
     EXPECT_SAYS(error_of_stl(binary(cube(), "solid").substr(0, 500)), "announces 12 triangles");
     std::string huge = sound;
     std::memset(huge.data() + 80, 0xff, 4);

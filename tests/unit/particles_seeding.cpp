@@ -19,7 +19,9 @@ using std::numbers::pi;
 class Block final : public Geometry {
   public:
     Block(double min, double max) : min_(min), max_(max) {}
-    Bounds bounds() const override { return {Eigen::Vector3d::Constant(min_), Eigen::Vector3d::Constant(max_)}; }
+    Bounds bounds() const override {
+        return {Eigen::Vector3d::Constant(min_), Eigen::Vector3d::Constant(max_)};
+    }
     bool contains(const Eigen::Vector3d& x) const override {
         const auto within = [&](double c) { return c == 0 || (c >= min_ && c < max_); };
         return within(x[0]) && within(x[1]) && within(x[2]);
@@ -52,7 +54,8 @@ Patch<S> make_patch() {
 template <class S>
 Particles<S> make_particles() {
     Particles<S> particles("brick");
-    for (const Field field : {Field::initial_position, Field::half_size, Field::initial_half_size, Field::deformation_gradient, Field::id})
+    for (const Field field : {Field::initial_position, Field::half_size, Field::initial_half_size,
+                              Field::deformation_gradient, Field::id})
         particles.require(field);
     return particles;
 }
@@ -78,7 +81,8 @@ std::string error_of(F&& call) {
 
 template <class S>
 class ParticlesSeeding : public testing::Test {};
-using Spaces = testing::Types<Bar, PlaneStrain, Axisymmetric, Solid, BarSingle, PlaneStrainSingle, AxisymmetricSingle, SolidSingle>;
+using Spaces = testing::Types<Bar, PlaneStrain, Axisymmetric, Solid, BarSingle, PlaneStrainSingle,
+                              AxisymmetricSingle, SolidSingle>;
 TYPED_TEST_SUITE(ParticlesSeeding, Spaces);
 
 TYPED_TEST(ParticlesSeeding, AlignedBoxHasItsMass) {
@@ -131,7 +135,8 @@ TYPED_TEST(ParticlesSeeding, GoesCellByCellWhateverTheThreads) {
     for (Index p = 0; p < one.size(); ++p) {
         ASSERT_EQ(one.position(p), three.position(p));
         int cell = 0;
-        for (int a = S::dimension - 1; a >= 0; --a) cell = cell * 16 + static_cast<int>(one.position(p)[a] * 4);
+        for (int a = S::dimension - 1; a >= 0; --a)
+            cell = cell * 16 + static_cast<int>(one.position(p)[a] * 4);
         if (cell == current) continue;
         ASSERT_TRUE(left.insert(cell).second) << "cell " << cell << " comes twice";
         current = cell;
@@ -149,7 +154,9 @@ TYPED_TEST(ParticlesSeeding, RefusesAnEmptyBody) {
     using S = TypeParam;
     auto particles = make_particles<S>();
     for (const auto& [min, max] : {std::pair(5.0, 6.0), std::pair(0.51, 0.52), std::pair(1.0, 0.5)}) {
-        const std::string error = error_of([&] { seed(particles, make_patch<S>(), Block(min, max), {1, 1, 1}, 1); });
+        const std::string error = error_of([&] {
+            seed(particles, make_patch<S>(), Block(min, max), {1, 1, 1}, 1);
+        });
         EXPECT_EQ(error.rfind("body \"brick\": its geometry contains no particle", 0), 0u) << error;
     }
 }
@@ -161,8 +168,8 @@ TYPED_TEST(ParticlesSeeding, TakesListedPointsAsTheyAre) {
     for (int missing = S::dimension; missing < 3; ++missing) a[missing] = b[missing] = 0;
     const double ring = S::axisymmetric ? 2 * pi * a[0] : 1;
     const double volume = std::pow(0.1, S::dimension) * ring;
-    seed(particles, make_patch<S>(), Cloud({{a, volume, {1, 0, 0}}, {b, 2 * volume, {0, 0, 0}}}), {1, 1, 1}, 500,
-         [](const Eigen::Vector3d&) { return Eigen::Vector3d(3, 0, 0); });
+    seed(particles, make_patch<S>(), Cloud({{a, volume, {1, 0, 0}}, {b, 2 * volume, {0, 0, 0}}}), {1, 1, 1},
+         500, [](const Eigen::Vector3d&) { return Eigen::Vector3d(3, 0, 0); });
     ASSERT_EQ(particles.size(), 2);
     EXPECT_FLOAT_EQ(static_cast<float>(particles.position(0)[0]), 0.3f);
     EXPECT_FLOAT_EQ(static_cast<float>(particles.velocity(0)[0]), 4);

@@ -48,19 +48,17 @@ class TensorProductShape : public ShapeFunction<S> {
     void scatter(Patch<S>& patch, const Particles<S>& particles, Index begin, Index end,
                  const Scatter& what) const override {
         for (Index p = begin; p < end;)
-            p = visit_runs(patch, particles, p, end, [&](Index first, int count, const Coordinates& base) {
-                scatter_run(patch, particles, first, count, base, what);
-            });
+            p = visit_runs(patch, particles, p, end,
+                           [&](const Run& run) { scatter_run(patch, particles, run, what); });
     }
 
     void gather(const Patch<S>& patch, const Particles<S>& particles, Index begin, Index end,
                 const Gather& what, GatherSink<S>& sink) const override {
         Gathered<S> gathered;
         for (Index p = begin; p < end;) {
-            const auto visit = [&](Index first, int count, const Coordinates& base) {
-                gather_run(patch, particles, first, count, base, what, gathered, static_cast<int>(first - p));
-            };
-            const Index next = visit_runs(patch, particles, p, end, visit);
+            const Index next = visit_runs(patch, particles, p, end, [&](const Run& run) {
+                gather_run(patch, particles, run, what, gathered, static_cast<int>(run.first - p));
+            });
             sink.receive(p, static_cast<int>(next - p), gathered);
             p = next;
         }
@@ -130,6 +128,20 @@ class TensorProductShape : public ShapeFunction<S> {
         Lanes load_or_zero(const Real* column) const { return head(load(column), count, Lanes(0)); }
     };
 
+    /// Consecutive particles, at least one, with the same stencil.
+    struct Run {
+        Index first;
+        int count;
+        Index end;  ///< of the particles that may be read: others may be changing in another thread
+        Coordinates base;
+
+        int packs() const { return (count - 1) / Lanes::lanes + 1; }
+        Slice slice(int k) const {
+            const Index begin = first + k * Lanes::lanes;
+            return {begin, std::min(Lanes::lanes, count - k * Lanes::lanes), begin + Lanes::lanes <= end};
+        }
+    };
+
     static void find_bases(const Patch<S>& patch, const Particles<S>& particles, Index begin, int count,
                            Bases& bases) {
         for (int a = 0; a < D; ++a) {
@@ -146,8 +158,8 @@ class TensorProductShape : public ShapeFunction<S> {
         return base;
     }
 
-    /// Calls visit(first, count, base) for each run of particles with the same stencil, from `begin`
-    /// to the last one that ends within a batch; returns where the next begins.
+    /// Calls visit(run) for each run from `begin` to the last one that ends within a batch; returns
+    /// where the next begins.
     template <class Visit>
     static Index visit_runs(const Patch<S>& patch, const Particles<S>& particles, Index begin, Index end,
                             const Visit& visit) {
@@ -161,16 +173,10 @@ class TensorProductShape : public ShapeFunction<S> {
             while (last < count && base_of(bases, last) == base) ++last;
             // It may go on past the batch: the next one has it whole.
             if (last == count && first > 0 && begin + count < end) break;
-            visit(begin + first, last - first, base);
+            visit(Run{begin + first, last - first, end, base});
             first = last;
         }
         return begin + first;
-    }
-
-    static Slice slice(const Particles<S>& particles, Index first, int count, int k) {
-        const Index begin = first + k * Lanes::lanes;
-        return {begin, std::min(Lanes::lanes, count - k * Lanes::lanes),
-                begin + Lanes::lanes <= particles.size()};
     }
 
     static void weigh(const Patch<S>& patch, const Particles<S>& particles, const Slice& slice,
@@ -210,78 +216,67 @@ class TensorProductShape : public ShapeFunction<S> {
 
     // --- Particles to nodes ---------------------------------------------------------------------
 
-    static void scatter_run(Patch<S>& patch, const Particles<S>& particles, Index first, int count,
-                            const Coordinates& base, const Scatter& what) {
-        const int packs = (count + Lanes::lanes - 1) / Lanes::lanes;
-        if (packs < 1) __builtin_unreachable();  // a run has particles
+    static void scatter_run(Patch<S>& patch, const Particles<S>& particles, const Run& run,
+                            const Scatter& what) {
+        const int packs = run.packs();
+        if (packs < 1) __builtin_unreachable();
         std::array<Weights, max_packs> weights;
-        for (int k = 0; k < packs; ++k)
-            weigh(patch, particles, slice(particles, first, count, k), base, weights[k]);
+        for (int k = 0; k < packs; ++k) weigh(patch, particles, run.slice(k), run.base, weights[k]);
         int nodes[N];
-        patch.template stencil<W>(base, nodes);
-        const auto at = [&](int k) { return slice(particles, first, count, k); };
+        patch.template stencil<W>(run.base, nodes);
 
-        if (what.mass) {
-            std::array<std::array<Lanes, 1>, max_packs> mass;
-            for (int k = 0; k < packs; ++k) mass[k][0] = at(k).load_or_zero(particles.column(Field::mass));
+        std::array<std::array<Lanes, 1>, max_packs> mass;
+        for (int k = 0; k < packs; ++k) mass[k][0] = run.slice(k).load_or_zero(particles.column(Field::mass));
+        if (what.mass)
             Loops::template add_values<1>(weights.data(), mass.data(), packs, nodes,
                                           {patch.column(NodeField::mass)});
-        }
         if (what.momentum) {
             std::array<LaneVector, max_packs> momentum;
-            for (int k = 0; k < packs; ++k) {
-                const Lanes mass = at(k).load_or_zero(particles.column(Field::mass));
+            for (int k = 0; k < packs; ++k)
                 for (int c = 0; c < D; ++c)
-                    momentum[k][c] = mass * at(k).load(particles.column(Field::velocity, c));
-            }
+                    momentum[k][c] = mass[k][0] * run.slice(k).load(particles.column(Field::velocity, c));
             Loops::template add_values<D>(weights.data(), momentum.data(), packs, nodes,
                                           columns(patch, *what.momentum));
-            if (what.affine_slot >= 0) {
-                std::array<Axes<Lanes>, max_packs> moments;
-                std::array<LaneMatrix, max_packs> affine;
-                for (int k = 0; k < packs; ++k) {
-                    const Lanes mass = at(k).load_or_zero(particles.column(Field::mass));
-                    find_moments(patch, weights[k], moments[k]);
-                    for (int c = 0; c < D; ++c)
-                        for (int a = 0; a < D; ++a)
-                            affine[k][c][a] =
-                                mass * at(k).load(particles.column(what.affine_slot, c + D * a));
-                }
-                Loops::add_gradients(
-                    weights.data(), [&](int k) -> const Axes<Lanes>& { return moments[k]; }, affine.data(),
-                    packs, nodes, columns(patch, *what.momentum));
-            }
         }
-        if (what.internal_force) scatter_force(patch, particles, first, count, weights.data(), packs, nodes);
+        if (what.momentum && what.affine_slot >= 0) {
+            std::array<Axes<Lanes>, max_packs> moments;
+            std::array<LaneMatrix, max_packs> affine;
+            for (int k = 0; k < packs; ++k) {
+                find_moments(patch, weights[k], moments[k]);
+                for (int c = 0; c < D; ++c)
+                    for (int a = 0; a < D; ++a)
+                        affine[k][c][a] =
+                            mass[k][0] * run.slice(k).load(particles.column(what.affine_slot, c + D * a));
+            }
+            Loops::add_gradients(
+                weights.data(), [&](int k) -> const Axes<Lanes>& { return moments[k]; }, affine.data(), packs,
+                nodes, columns(patch, *what.momentum));
+        }
+        if (what.internal_force) scatter_force(patch, particles, run, weights.data(), nodes);
     }
 
     /// f_i -= sum sigma grad S V [Wallstedt & Guilkey 2008, eq. 14]; axisymmetric: and, radially,
     /// S V sigma_hoop / r.
-    static void scatter_force(Patch<S>& patch, const Particles<S>& particles, Index first, int count,
-                              const Weights* weights, int packs, const int* nodes) {
+    static void scatter_force(Patch<S>& patch, const Particles<S>& particles, const Run& run,
+                              const Weights* weights, const int* nodes) {
         constexpr int component[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
         std::array<LaneMatrix, max_packs> flux;
-        for (int k = 0; k < packs; ++k) {
-            const Slice at = slice(particles, first, count, k);
-            const Lanes volume = -at.load_or_zero(particles.column(Field::volume));
+        std::array<std::array<Lanes, 1>, max_packs> hoop;
+        for (int k = 0; k < run.packs(); ++k) {
+            const Slice slice = run.slice(k);
+            const auto load = [&](Field field, int c) { return slice.load(particles.column(field, c)); };
+            const Lanes volume = -slice.load_or_zero(particles.column(Field::volume));
             for (int c = 0; c < D; ++c)
-                for (int a = 0; a < D; ++a)
-                    flux[k][c][a] = volume * at.load(particles.column(Field::stress, component[c][a]));
+                for (int a = 0; a < D; ++a) flux[k][c][a] = volume * load(Field::stress, component[c][a]);
+            if constexpr (S::axisymmetric)
+                hoop[k][0] = volume * load(Field::stress, 2) / load(Field::position, 0);
         }
         Loops::add_gradients(
-            weights, [&](int k) -> const Axes<Lanes>& { return weights[k].derivative; }, flux.data(), packs,
-            nodes, columns(patch, NodeField::force));
-        if constexpr (S::axisymmetric) {
-            std::array<std::array<Lanes, 1>, max_packs> hoop;
-            for (int k = 0; k < packs; ++k) {
-                const Slice at = slice(particles, first, count, k);
-                hoop[k][0] = -at.load_or_zero(particles.column(Field::volume)) *
-                             at.load(particles.column(Field::stress, 2)) /
-                             at.load(particles.column(Field::position, 0));
-            }
-            Loops::template add_values<1>(weights, hoop.data(), packs, nodes,
+            weights, [&](int k) -> const Axes<Lanes>& { return weights[k].derivative; }, flux.data(),
+            run.packs(), nodes, columns(patch, NodeField::force));
+        if constexpr (S::axisymmetric)
+            Loops::template add_values<1>(weights, hoop.data(), run.packs(), nodes,
                                           {patch.column(NodeField::force, 0)});
-        }
     }
 
     static std::array<Real*, D> columns(Patch<S>& patch, NodeField field) {
@@ -293,20 +288,20 @@ class TensorProductShape : public ShapeFunction<S> {
     // --- Nodes to particles ---------------------------------------------------------------------
 
     /// Fills the columns of `gathered` from place `at` on.
-    static void gather_run(const Patch<S>& patch, const Particles<S>& particles, Index first, int count,
-                           const Coordinates& base, const Gather& what, Gathered<S>& gathered, int at) {
+    static void gather_run(const Patch<S>& patch, const Particles<S>& particles, const Run& run,
+                           const Gather& what, Gathered<S>& gathered, int at) {
         int nodes[N];
-        patch.template stencil<W>(base, nodes);
+        patch.template stencil<W>(run.base, nodes);
         Nodal velocity, acceleration, gradient, affine;
         if (what.velocity) load(patch, *what.velocity, nodes, velocity);
         if (what.acceleration) load(patch, NodeField::acceleration, nodes, acceleration);
         if (what.gradient) load(patch, *what.gradient, nodes, gradient);
         if (what.affine) load(patch, NodeField::velocity, nodes, affine);
 
-        for (int k = 0; k * Lanes::lanes < count; ++k, at += Lanes::lanes) {
-            const Slice particle = slice(particles, first, count, k);
+        for (int k = 0; k < run.packs(); ++k, at += Lanes::lanes) {
+            const Slice particle = run.slice(k);
             Weights weights;
-            weigh(patch, particles, particle, base, weights);
+            weigh(patch, particles, particle, run.base, weights);
             if (what.velocity)
                 store(Loops::interpolate(weights.value, velocity), gathered.velocity, at, particle.count);
             if (what.acceleration)

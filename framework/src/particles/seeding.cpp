@@ -40,7 +40,9 @@ struct Axis {
     std::vector<double> coordinates{0.0};
 
     Index cells() const { return last - first; }
-    double at(int cell, int k) const { return coordinates[static_cast<std::size_t>((cell - first) * per_cell + k)]; }
+    double at(int cell, int k) const {
+        return coordinates[static_cast<std::size_t>((cell - first) * per_cell + k)];
+    }
 };
 
 template <class S>
@@ -56,12 +58,14 @@ Axis lattice_axis(const Patch<S>& patch, const Geometry::Bounds& bounds, int a, 
     axis.half_size = h / (2 * per_cell);
     axis.coordinates.clear();
     for (int cell = axis.first; cell < axis.last; ++cell)
-        for (int k = 0; k < per_cell; ++k) axis.coordinates.push_back(min + (cell + (k + 0.5) / per_cell) * h);
+        for (int k = 0; k < per_cell; ++k)
+            axis.coordinates.push_back(min + (cell + (k + 0.5) / per_cell) * h);
     return axis;
 }
 
 template <class S>
-std::vector<Seed> seeds_of_region(const Patch<S>& patch, const Geometry& geometry, const std::array<int, 3>& per_cell) {
+std::vector<Seed> seeds_of_region(const Patch<S>& patch, const Geometry& geometry,
+                                  const std::array<int, 3>& per_cell) {
     const Geometry::Bounds bounds = geometry.bounds();
     std::array<Axis, 3> axes;
     for (int a = 0; a < S::dimension; ++a) {
@@ -83,7 +87,8 @@ std::vector<Seed> seeds_of_region(const Patch<S>& patch, const Geometry& geometr
     parallel_for(tasks, [&](Index task) {
         std::vector<Eigen::Vector3d> candidates;
         for (Index row = task * rows_per_task; row < std::min(rows, (task + 1) * rows_per_task); ++row) {
-            const int cy = y.first + static_cast<int>(row % y.cells()), cz = z.first + static_cast<int>(row / y.cells());
+            const int cy = y.first + static_cast<int>(row % y.cells()),
+                      cz = z.first + static_cast<int>(row / y.cells());
             for (int cx = x.first; cx < x.last; ++cx)
                 for (int kz = 0; kz < z.per_cell; ++kz)
                     for (int ky = 0; ky < y.per_cell; ++ky)
@@ -110,13 +115,15 @@ std::vector<Seed> seeds_of_points(const Patch<S>& patch, const PointCloud& cloud
         const PointCloud::Point& point = cloud.points[i];
         bool outside = S::axisymmetric && point.position[0] <= 0;
         for (int a = 0; a < S::dimension; ++a) {
-            const double cell = (point.position[a] - static_cast<double>(patch.min()[a])) / static_cast<double>(patch.cell_size()[a]);
+            const double cell = (point.position[a] - static_cast<double>(patch.min()[a])) /
+                                static_cast<double>(patch.cell_size()[a]);
             outside = outside || !(cell >= 0 && cell < patch.cells()[static_cast<std::size_t>(a)]);
         }
         if (outside)
-            throw std::invalid_argument(fmt::format("body \"{}\": point {} of its geometry's {}, at [{}], is outside the grid",
-                                                    body, i + 1, cloud.points.size(),
-                                                    fmt::join(point.position.data(), point.position.data() + S::dimension, ", ")));
+            throw std::invalid_argument(
+                fmt::format("body \"{}\": point {} of its geometry's {}, at [{}], is outside the grid", body,
+                            i + 1, cloud.points.size(),
+                            fmt::join(point.position.data(), point.position.data() + S::dimension, ", ")));
         const double half_size = 0.5 * std::pow(point.volume / width<S>(point.position), 1.0 / S::dimension);
         seeds.push_back({point.position, point.velocity, Eigen::Vector3d::Constant(half_size), point.volume});
     }
@@ -132,10 +139,11 @@ void seed(Particles<S>& particles, const Patch<S>& patch, const Geometry& geomet
     const std::vector<Seed> seeds = cloud ? seeds_of_points(patch, *cloud, particles.body())
                                           : seeds_of_region(patch, geometry, particles_per_cell);
     if (seeds.empty())
-        throw std::invalid_argument(fmt::format("body \"{}\": its geometry contains no particle; check that it lies within the "
-                                                "grid and is not smaller than the distance between particles, "
-                                                "the cell size over \"particles_per_cell\"",
-                                                particles.body()));
+        throw std::invalid_argument(
+            fmt::format("body \"{}\": its geometry contains no particle; check that it lies within the "
+                        "grid and is not smaller than the distance between particles, "
+                        "the cell size over \"particles_per_cell\"",
+                        particles.body()));
     using Real = typename S::Real;
     particles.resize(static_cast<Index>(seeds.size()));
     const auto set = [&](Field field, Index p, const Eigen::Vector3d& value) {
@@ -154,9 +162,9 @@ void seed(Particles<S>& particles, const Patch<S>& patch, const Geometry& geomet
     }
 }
 
-#define MATPOINT_INSTANTIATE(S)                                                                                    \
-    template void seed<S>(Particles<S>&, const Patch<S>&, const Geometry&, const std::array<int, 3>&, double, \
-                          const InitialVelocity&);
+#define MATPOINT_INSTANTIATE(S)                                                                       \
+    template void seed<S>(Particles<S>&, const Patch<S>&, const Geometry&, const std::array<int, 3>&, \
+                          double, const InitialVelocity&);
 MATPOINT_FOR_EACH_SPACE(MATPOINT_INSTANTIATE)
 
 }  // namespace matpoint

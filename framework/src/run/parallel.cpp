@@ -1,19 +1,27 @@
 #include <matpoint/parallel.hpp>
 
-#include <omp.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <exception>
-#include <mutex>
 
 namespace matpoint {
 
 namespace {
+
 int thread_count = 1;
+
+tbb::task_arena& arena() {
+    static tbb::task_arena workers;
+    return workers;
 }
+
+}  // namespace
 
 void set_threads(int count) {
     thread_count = std::max(1, count);
+    arena().terminate();
+    arena().initialize(thread_count);
 }
 
 int threads() {
@@ -25,18 +33,7 @@ void parallel_for(Index count, const std::function<void(Index)>& body) {
         for (Index i = 0; i < count; ++i) body(i);
         return;
     }
-    std::exception_ptr failure;
-    std::mutex mutex;
-#pragma omp parallel for schedule(dynamic) num_threads(thread_count)
-    for (Index i = 0; i < count; ++i) {
-        try {
-            body(i);
-        } catch (...) {
-            const std::lock_guard lock(mutex);
-            if (!failure) failure = std::current_exception();
-        }
-    }
-    if (failure) std::rethrow_exception(failure);
+    arena().execute([&] { tbb::parallel_for(Index{0}, count, body); });
 }
 
 }  // namespace matpoint

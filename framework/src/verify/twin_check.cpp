@@ -58,6 +58,8 @@ CheckKind twin_check() {
             {.doc = "Values of the other scene to replace, by JSON pointer", .default_value = Json::object()})
         .add("files", ParameterType::texts, {.doc = "Names of files in the folders of results"})
         .text("comment", {.doc = "For readers", .optional = true})
+        .refuse("/files", "expected the name of a file at least",
+                [](const Json& own, const Json&) { return own.contains("files") && own.at("files").empty(); })
         .refuse(
             "/set", "expected an object of values by JSON pointer, {\"/time/end\": 0.1}",
             [](const Json& own, const Json&) { return own.contains("set") && !own.at("set").is_object(); });

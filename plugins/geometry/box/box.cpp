@@ -13,7 +13,8 @@ class Box final : public Geometry {
             .refuse("/max", "every coordinate of \"max\" must be greater than that of \"min\"",
                     [](const Json& own, const Json&) {
                         for (std::size_t a = 0; a < own.at("min").size(); ++a)
-                            if (!(own.at("max").at(a).get<double>() > own.at("min").at(a).get<double>())) return true;
+                            if (!(own.at("max").at(a).get<double>() > own.at("min").at(a).get<double>()))
+                                return true;
                         return false;
                     });
     }
@@ -36,4 +37,6 @@ class Box final : public Geometry {
     Eigen::Vector3d min_, max_;  // m
 };
 
-MATPOINT_PLUGIN("box", "1.0.0") { registry.geometry<Box>("box"); }
+MATPOINT_PLUGIN("box", "1.0.0") {
+    registry.geometry<Box>("box");
+}

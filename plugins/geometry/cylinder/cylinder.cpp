@@ -15,13 +15,15 @@ class Cylinder final : public Geometry {
             .vector("start", {.unit = "m", .doc = "Centre of one end"})
             .vector("end", {.unit = "m", .doc = "Centre of the other end"})
             .number("radius", {.unit = "m", .doc = "Outer radius", .greater_than = 0})
-            .number("inner_radius", {.unit = "m", .doc = "Radius of the bore", .default_value = 0, .at_least = 0})
+            .number("inner_radius",
+                    {.unit = "m", .doc = "Radius of the bore", .default_value = 0, .at_least = 0})
             .dimensions({3})
             .refuse("/end", "\"end\" must differ from \"start\"",
                     [](const Json& own, const Json&) { return own.at("start") == own.at("end"); })
-            .refuse("/inner_radius", "\"inner_radius\" must be less than \"radius\"", [](const Json& own, const Json&) {
-                return own.at("inner_radius").get<double>() >= own.at("radius").get<double>();
-            });
+            .refuse("/inner_radius", "\"inner_radius\" must be less than \"radius\"",
+                    [](const Json& own, const Json&) {
+                        return own.at("inner_radius").get<double>() >= own.at("radius").get<double>();
+                    });
     }
     explicit Cylinder(const Parameters& parameters)
         : start_(Eigen::Vector3d::Map(parameters.vector("start").data())),
@@ -50,4 +52,6 @@ class Cylinder final : public Geometry {
     double length_, radius_, inner_radius_;  // m
 };
 
-MATPOINT_PLUGIN("cylinder", "1.0.0") { registry.geometry<Cylinder>("cylinder"); }
+MATPOINT_PLUGIN("cylinder", "1.0.0") {
+    registry.geometry<Cylinder>("cylinder");
+}

@@ -35,4 +35,6 @@ class Difference final : public Geometry {
     std::vector<std::shared_ptr<Geometry>> of_;
 };
 
-MATPOINT_PLUGIN("difference", "1.0.0") { registry.geometry<Difference>("difference"); }
+MATPOINT_PLUGIN("difference", "1.0.0") {
+    registry.geometry<Difference>("difference");
+}

@@ -40,4 +40,6 @@ class Intersection final : public Geometry {
     std::vector<std::shared_ptr<Geometry>> of_;
 };
 
-MATPOINT_PLUGIN("intersection", "1.0.0") { registry.geometry<Intersection>("intersection"); }
+MATPOINT_PLUGIN("intersection", "1.0.0") {
+    registry.geometry<Intersection>("intersection");
+}

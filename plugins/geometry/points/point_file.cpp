@@ -63,14 +63,19 @@ class Reader {
                 read_row(split(line));
             }
         }
-        if (columns_.empty()) mistakes_.push_back(name_ + ": it is empty; expected a line of column names, such as \"x, y, volume\"");
-        if (mistakes_.empty() && cloud_.points.empty()) mistakes_.push_back(name_ + ": it has column names but no points");
+        if (columns_.empty())
+            mistakes_.push_back(name_ +
+                                ": it is empty; expected a line of column names, such as \"x, y, volume\"");
+        if (mistakes_.empty() && cloud_.points.empty())
+            mistakes_.push_back(name_ + ": it has column names but no points");
         if (mistakes_.empty()) return std::move(cloud_);
         throw std::invalid_argument(report());
     }
 
   private:
-    void mistake(const std::string& what) { mistakes_.push_back(name_ + ":" + std::to_string(line_) + ": " + what); }
+    void mistake(const std::string& what) {
+        mistakes_.push_back(name_ + ":" + std::to_string(line_) + ": " + what);
+    }
 
     bool belongs(std::size_t column) const {
         return column == volume_column || static_cast<int>(column % 3) < dimension_;
@@ -95,20 +100,23 @@ class Reader {
             columns_.push_back(column);
         }
         for (std::size_t c : {0, 1, 2, volume_column})
-            if (belongs(c) && std::find(columns_.begin(), columns_.end(), static_cast<int>(c)) == columns_.end())
+            if (belongs(c) &&
+                std::find(columns_.begin(), columns_.end(), static_cast<int>(c)) == columns_.end())
                 mistake("column " + in_quotes(column_names[c]) + " is missing");
     }
 
     void read_row(const std::vector<std::string_view>& cells) {
         if (cells.size() != columns_.size()) {
-            mistake("expected " + std::to_string(columns_.size()) + " values, found " + std::to_string(cells.size()));
+            mistake("expected " + std::to_string(columns_.size()) + " values, found " +
+                    std::to_string(cells.size()));
             return;
         }
         std::array<double, column_names.size()> values{};
         for (std::size_t i = 0; i < cells.size(); ++i) {
             const auto column = static_cast<std::size_t>(columns_[i]);
             if (!read_number(cells[i], values[column]))
-                mistake("column " + in_quotes(column_names[column]) + ": expected a finite number, found " + in_quotes(cells[i]));
+                mistake("column " + in_quotes(column_names[column]) + ": expected a finite number, found " +
+                        in_quotes(cells[i]));
             else if (column == volume_column && values[column] <= 0)
                 mistake("column \"volume\": expected a number greater than 0, found " + in_quotes(cells[i]));
         }

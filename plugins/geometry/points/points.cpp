@@ -10,7 +10,8 @@ class Points final : public Geometry {
     static Schema schema() {
         return Schema("Particles given one by one in a CSV file")
             .add("file", ParameterType::file,
-                 {.doc = "Its first line names its columns: x, y, z, volume, and if wanted vx, vy, vz; SI units"});
+                 {.doc = "Its first line names its columns: x, y, z, volume, and if wanted vx, vy, vz; SI "
+                         "units"});
     }
     explicit Points(const Parameters& parameters)
         : cloud_(read_point_file(parameters.file("file"), parameters.context().space.dimension())),
@@ -31,4 +32,6 @@ class Points final : public Geometry {
     Bounds bounds_;
 };
 
-MATPOINT_PLUGIN("points", "1.0.0") { registry.geometry<Points>("points"); }
+MATPOINT_PLUGIN("points", "1.0.0") {
+    registry.geometry<Points>("points");
+}

@@ -12,7 +12,8 @@ class Sphere final : public Geometry {
             .number("radius", {.unit = "m", .doc = "Its radius", .greater_than = 0});
     }
     explicit Sphere(const Parameters& parameters)
-        : center_(Eigen::Vector3d::Map(parameters.vector("center").data())), radius_(parameters.number("radius")) {}
+        : center_(Eigen::Vector3d::Map(parameters.vector("center").data())),
+          radius_(parameters.number("radius")) {}
 
     Bounds bounds() const override { return {center_.array() - radius_, center_.array() + radius_}; }
 
@@ -25,4 +26,6 @@ class Sphere final : public Geometry {
     double radius_;           // m
 };
 
-MATPOINT_PLUGIN("sphere", "1.0.0") { registry.geometry<Sphere>("sphere"); }
+MATPOINT_PLUGIN("sphere", "1.0.0") {
+    registry.geometry<Sphere>("sphere");
+}

@@ -15,8 +15,10 @@ class Stl final : public Geometry {
     static Schema schema() {
         return Schema("Inside of a closed surface of triangles, from an STL file")
             .add("file", ParameterType::file, {.doc = "STL file, binary or ASCII"})
-            .number("scale", {.unit = "m", .doc = "Length of the file's unit", .default_value = 1, .greater_than = 0})
-            .vector("translate", {.unit = "m", .doc = "Where the file's origin is put, after scaling",
+            .number("scale",
+                    {.unit = "m", .doc = "Length of the file's unit", .default_value = 1, .greater_than = 0})
+            .vector("translate", {.unit = "m",
+                                  .doc = "Where the file's origin is put, after scaling",
                                   .default_value = Json::array({0, 0, 0})})
             .dimensions({3});
     }
@@ -45,7 +47,8 @@ class Stl final : public Geometry {
         const Eigen::Vector3d translate = Eigen::Vector3d::Map(parameters.vector("translate").data());
         std::vector<TriangleMesh::Triangle> triangles(read.size());
         for (std::size_t t = 0; t < read.size(); ++t)
-            for (std::size_t c = 0; c < 3; ++c) triangles[t][c] = scale * read[t][c].cast<double>() + translate;
+            for (std::size_t c = 0; c < 3; ++c)
+                triangles[t][c] = scale * read[t][c].cast<double>() + translate;
         return TriangleMesh(std::move(triangles));
     }
 
@@ -58,18 +61,23 @@ class Stl final : public Geometry {
         for (int k = 0; k < n; ++k)
             for (int j = 0; j < n; ++j)
                 for (int i = 0; i < n; ++i)
-                    lattice.push_back(mesh_.min() + spacing.cwiseProduct(Eigen::Vector3d(i + 0.5, j + 0.5, k + 0.5)));
+                    lattice.push_back(mesh_.min() +
+                                      spacing.cwiseProduct(Eigen::Vector3d(i + 0.5, j + 0.5, k + 0.5)));
         const auto verdicts = mesh_.classify(lattice);
         const auto undecided = std::count(verdicts.begin(), verdicts.end(), TriangleMesh::Verdict::undecided);
         if (1000 * undecided > n * n * n)
             throw std::invalid_argument(
-                name + ": its surface is open, so that its inside cannot be told for " + std::to_string(undecided) + " of " +
-                std::to_string(n * n * n) + " points: of the edges of its " + std::to_string(mesh_.triangle_count()) +
-                " triangles, " + std::to_string(mesh_.open_edges()) + " border on a hole and " +
-                std::to_string(mesh_.inconsistent_edges()) + " join faces that are turned differently; close the holes");
+                name + ": its surface is open, so that its inside cannot be told for " +
+                std::to_string(undecided) + " of " + std::to_string(n * n * n) +
+                " points: of the edges of its " + std::to_string(mesh_.triangle_count()) + " triangles, " +
+                std::to_string(mesh_.open_edges()) + " border on a hole and " +
+                std::to_string(mesh_.inconsistent_edges()) +
+                " join faces that are turned differently; close the holes");
     }
 
     TriangleMesh mesh_;
 };
 
-MATPOINT_PLUGIN("stl", "1.0.0") { registry.geometry<Stl>("stl"); }
+MATPOINT_PLUGIN("stl", "1.0.0") {
+    registry.geometry<Stl>("stl");
+}

@@ -20,7 +20,8 @@ namespace {
 // A binary file is a header of 80 bytes, the number of triangles (4 bytes), and for each triangle its
 // normal and its corners (12 numbers of 4 bytes) and 2 bytes more; all little-endian.
 constexpr std::size_t header_size = 84, triangle_size = 50, corners_offset = 12;
-static_assert(std::endian::native == std::endian::little, "the binary reader copies little-endian numbers as they are");
+static_assert(std::endian::native == std::endian::little,
+              "the binary reader copies little-endian numbers as they are");
 
 std::size_t binary_triangles(const std::string& data) {
     std::uint32_t count;
@@ -36,7 +37,8 @@ bool has_binary_size(const std::string& data) {
 bool looks_like_text(const std::string& data) {
     const std::string_view start(data.data(), std::min<std::size_t>(data.size(), 1024));
     return start.substr(0, 256).find("solid") != std::string_view::npos &&
-           (start.find("facet") != std::string_view::npos || start.find("endsolid") != std::string_view::npos) &&
+           (start.find("facet") != std::string_view::npos ||
+            start.find("endsolid") != std::string_view::npos) &&
            start.find('\0') == std::string_view::npos;
 }
 
@@ -45,9 +47,11 @@ std::vector<Triangle> read_binary(const std::string& data, const std::string& na
     for (std::size_t t = 0; t < triangles.size(); ++t)
         for (std::size_t corner = 0; corner < 3; ++corner) {
             Eigen::Vector3f& x = triangles[t][corner];
-            std::memcpy(x.data(), data.data() + header_size + triangle_size * t + corners_offset * (1 + corner), 12);
+            std::memcpy(x.data(),
+                        data.data() + header_size + triangle_size * t + corners_offset * (1 + corner), 12);
             if (!x.allFinite())
-                throw std::invalid_argument(name + ": triangle " + std::to_string(t + 1) + " has a corner that is not finite");
+                throw std::invalid_argument(name + ": triangle " + std::to_string(t + 1) +
+                                            " has a corner that is not finite");
         }
     return triangles;
 }
@@ -91,8 +95,8 @@ class TextReader {
     void next_line(const char* expected) {
         if (!advance())
             throw std::invalid_argument(name_ + " ends after line " + std::to_string(number_) + " and " +
-                                        std::to_string(triangles_.size()) + " complete facets, where \"" + expected +
-                                        "\" was expected: it seems truncated");
+                                        std::to_string(triangles_.size()) + " complete facets, where \"" +
+                                        expected + "\" was expected: it seems truncated");
     }
     void expect_line(const char* keyword) {
         next_line(keyword);
@@ -107,8 +111,8 @@ class TextReader {
         return std::string_view(line_).substr(0, line_.find_first_of(" \t")) == keyword;
     }
     [[noreturn]] void fail(const char* expected) const {
-        throw std::invalid_argument(name_ + ":" + std::to_string(number_) + ": expected \"" + expected + "\", found \"" +
-                                    line_.substr(0, 60) + "\"");
+        throw std::invalid_argument(name_ + ":" + std::to_string(number_) + ": expected \"" + expected +
+                                    "\", found \"" + line_.substr(0, 60) + "\"");
     }
     Eigen::Vector3f read_vertex() {
         expect_line("vertex");
@@ -118,7 +122,8 @@ class TextReader {
         for (float& value : x) {
             while (at != end && (*at == ' ' || *at == '\t' || *at == '+')) ++at;
             const auto [stop, error] = std::from_chars(at, end, value);
-            if (error != std::errc() || !std::isfinite(value)) fail("vertex\" and three finite numbers, \"vertex x y z");
+            if (error != std::errc() || !std::isfinite(value))
+                fail("vertex\" and three finite numbers, \"vertex x y z");
             at = stop;
         }
         if (at != end) fail("vertex\" and three finite numbers, \"vertex x y z");
@@ -136,7 +141,8 @@ class TextReader {
 std::vector<Triangle> read_stl_file(const std::filesystem::path& file) {
     const std::string name = file.string();
     std::ifstream in(file, std::ios::binary);
-    if (!in || std::filesystem::is_directory(file)) throw std::invalid_argument("cannot read the file \"" + name + "\"");
+    if (!in || std::filesystem::is_directory(file))
+        throw std::invalid_argument("cannot read the file \"" + name + "\"");
     const std::string data{std::istreambuf_iterator<char>(in), {}};
 
     std::vector<Triangle> triangles;
@@ -150,9 +156,10 @@ std::vector<Triangle> read_stl_file(const std::filesystem::path& file) {
                                     " bytes and is not ASCII STL; a binary STL file has at least 84");
     } else {
         const std::size_t count = binary_triangles(data);
-        throw std::invalid_argument(name + ": its header announces " + std::to_string(count) + " triangles, which take " +
-                                    std::to_string(header_size + triangle_size * count) + " bytes, but the file has " +
-                                    std::to_string(data.size()) + ": it is truncated, or not an STL file");
+        throw std::invalid_argument(
+            name + ": its header announces " + std::to_string(count) + " triangles, which take " +
+            std::to_string(header_size + triangle_size * count) + " bytes, but the file has " +
+            std::to_string(data.size()) + ": it is truncated, or not an STL file");
     }
     if (triangles.empty()) throw std::invalid_argument(name + " has no triangles");
     return triangles;

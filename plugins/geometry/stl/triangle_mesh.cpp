@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -20,7 +21,7 @@ bool lexicographically_less(const Eigen::Vector3d& a, const Eigen::Vector3d& b) 
 
 /// Lines along one axis, through points: in rows of equal v, each row's in order of u.
 struct Lines {
-    std::vector<std::size_t> line_of;    ///< of each point
+    std::vector<std::size_t> line_of;  ///< of each point
     std::vector<double> row_v;
     std::vector<std::size_t> row_begin;  ///< first line of each row, and the end of the last
     std::vector<double> line_u;
@@ -50,7 +51,8 @@ struct Lines {
 /// decide alike, and a line that meets an edge or a corner never slips through.
 class Projected {
   public:
-    Projected(const Triangle& triangle, int axis, int u, int v) : corners_(triangle), axis_(axis), u_(u), v_(v) {
+    Projected(const Triangle& triangle, int axis, int u, int v)
+        : corners_(triangle), axis_(axis), u_(u), v_(v) {
         const auto range = [&](int a) {
             return std::minmax({triangle[0][a], triangle[1][a], triangle[2][a]});
         };
@@ -69,7 +71,8 @@ class Projected {
     double depth(double u, double v) const {
         if (normal_[axis_] == 0) return 0.5 * (depth_min_ + depth_max_);
         const Eigen::Vector3d& a = corners_[0];
-        const double depth = a[axis_] - (normal_[u_] * (u - a[u_]) + normal_[v_] * (v - a[v_])) / normal_[axis_];
+        const double depth =
+            a[axis_] - (normal_[u_] * (u - a[u_]) + normal_[v_] * (v - a[v_])) / normal_[axis_];
         return std::clamp(depth, depth_min_, depth_max_);
     }
 
@@ -90,8 +93,9 @@ class Projected {
 };
 
 /// Depths at which each line meets triangles: pairs of line and depth, ascending.
-std::vector<std::pair<std::size_t, double>> crossings(const Lines& lines, const std::vector<Triangle>& triangles, int axis,
-                                                      int u, int v) {
+std::vector<std::pair<std::size_t, double>> crossings(const Lines& lines,
+                                                      const std::vector<Triangle>& triangles, int axis, int u,
+                                                      int v) {
     std::vector<std::pair<std::size_t, double>> found;
     for (const Triangle& corners : triangles) {
         const Projected triangle(corners, axis, u, v);
@@ -100,7 +104,8 @@ std::vector<std::pair<std::size_t, double>> crossings(const Lines& lines, const 
             const auto r = static_cast<std::size_t>(row - lines.row_v.begin());
             const auto begin = lines.line_u.begin() + static_cast<std::ptrdiff_t>(lines.row_begin[r]);
             const auto end = lines.line_u.begin() + static_cast<std::ptrdiff_t>(lines.row_begin[r + 1]);
-            for (auto line = std::lower_bound(begin, end, triangle.u_min); line != end && *line <= triangle.u_max; ++line)
+            for (auto line = std::lower_bound(begin, end, triangle.u_min);
+                 line != end && *line <= triangle.u_max; ++line)
                 if (triangle.meets(*line, *row))
                     found.emplace_back(line - lines.line_u.begin(), triangle.depth(*line, *row));
         }
@@ -125,11 +130,13 @@ TriangleMesh::TriangleMesh(std::vector<Triangle> triangles) : triangles_(std::mo
 
 void TriangleMesh::count_edges() {
     std::vector<Eigen::Vector3d> corners;
-    for (const Triangle& triangle : triangles_) corners.insert(corners.end(), triangle.begin(), triangle.end());
+    for (const Triangle& triangle : triangles_)
+        corners.insert(corners.end(), triangle.begin(), triangle.end());
     std::sort(corners.begin(), corners.end(), lexicographically_less);
     corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
     const auto number = [&](const Eigen::Vector3d& corner) {
-        return std::lower_bound(corners.begin(), corners.end(), corner, lexicographically_less) - corners.begin();
+        return std::lower_bound(corners.begin(), corners.end(), corner, lexicographically_less) -
+               corners.begin();
     };
 
     struct Use {
@@ -142,10 +149,13 @@ void TriangleMesh::count_edges() {
             const std::ptrdiff_t from = number(triangle[i]), to = number(triangle[(i + 1) % 3]);
             uses.push_back({std::min(from, to), std::max(from, to), from < to ? 1 : -1});
         }
-    std::sort(uses.begin(), uses.end(), [](const Use& a, const Use& b) { return std::tie(a.low, a.high) < std::tie(b.low, b.high); });
+    std::sort(uses.begin(), uses.end(),
+              [](const Use& a, const Use& b) { return std::tie(a.low, a.high) < std::tie(b.low, b.high); });
     for (std::size_t first = 0, last; first < uses.size(); first = last) {
         int turn = 0;
-        for (last = first; last < uses.size() && uses[last].low == uses[first].low && uses[last].high == uses[first].high; ++last)
+        for (last = first;
+             last < uses.size() && uses[last].low == uses[first].low && uses[last].high == uses[first].high;
+             ++last)
             turn += uses[last].direction;
         if ((last - first) % 2 == 1)
             ++open_edges_;
@@ -161,7 +171,9 @@ std::vector<Verdict> TriangleMesh::classify(std::span<const Eigen::Vector3d> poi
     for (std::size_t i = 0; i < points.size(); ++i) {
         const auto votes = [&](Verdict v) { return (verdicts[i] == v) + (y[i] == v) + (z[i] == v); };
         const int inside = votes(Verdict::inside), outside = votes(Verdict::outside);
-        verdicts[i] = inside > outside ? Verdict::inside : inside < outside ? Verdict::outside : Verdict::undecided;
+        verdicts[i] = inside > outside   ? Verdict::inside
+                      : inside < outside ? Verdict::outside
+                                         : Verdict::undecided;
     }
     return verdicts;
 }
@@ -170,7 +182,8 @@ std::vector<Verdict> TriangleMesh::along(int axis, std::span<const Eigen::Vector
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     const Lines lines(points, u, v);
     const auto found = crossings(lines, triangles_, axis, u, v);
-    std::vector<std::size_t> first(lines.line_u.size() + 1, 0);  // place in `found` where each line's crossings begin
+    std::vector<std::size_t> first(lines.line_u.size() + 1,
+                                   0);  // place in `found` where each line's crossings begin
     for (const auto& [line, depth] : found) ++first[line + 1];
     std::partial_sum(first.begin(), first.end(), first.begin());
 

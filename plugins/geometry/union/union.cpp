@@ -7,7 +7,9 @@ using namespace matpoint;
 /// All that is in any of its geometries; see README.md.
 class Union final : public Geometry {
   public:
-    static Schema schema() { return operands_schema("What is in any of some geometries", "The geometries to join"); }
+    static Schema schema() {
+        return operands_schema("What is in any of some geometries", "The geometries to join");
+    }
     explicit Union(const Parameters& parameters) : of_(make_operands(parameters)) {}
 
     Bounds bounds() const override {
@@ -38,4 +40,6 @@ class Union final : public Geometry {
     std::vector<std::shared_ptr<Geometry>> of_;
 };
 
-MATPOINT_PLUGIN("union", "1.0.0") { registry.geometry<Union>("union"); }
+MATPOINT_PLUGIN("union", "1.0.0") {
+    registry.geometry<Union>("union");
+}

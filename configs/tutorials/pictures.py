@@ -1,0 +1,181 @@
+#!/usr/bin/python3
+"""Makes the pictures of README.md and of the tutorials from runs of their scenes.
+
+usage: pictures.py MATPOINT [NAME]...    (the executable; which pictures, all by default)
+
+Needs the Debian packages python3-matplotlib and python3-vtk9.
+"""
+
+import csv
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+from PIL import Image
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+HERE = Path(__file__).resolve().parent
+PICTURES = HERE / "pictures"
+KNOT = HERE.parent / "verification" / "stl_bounce" / "bounce.json"
+
+plt.rcParams.update({"font.size": 10, "axes.titlesize": 10, "figure.titlesize": 12, "axes.spines.top": False,
+                     "axes.spines.right": False, "figure.facecolor": "white"})
+
+
+class Run:
+    """A scene's results: particles by time, and probes."""
+
+    def __init__(self, matpoint, scene, folder, *options):
+        self.folder = folder
+        subprocess.run([matpoint, "run", scene, "--output", folder, "--quiet", *options], check=True)
+
+    def probe(self, name):
+        with open(self.folder / f"{name}.csv", newline="") as stream:
+            rows = np.array([[float(v) for v in row] for row in list(csv.reader(stream))[1:]])
+        return rows[:, 0], rows[:, 1]
+
+    def particles(self, time):
+        """Points and fields of the file nearest to a time."""
+        entries = ElementTree.parse(self.folder / "particles.pvd").getroot().findall("./Collection/DataSet")
+        entry = min(entries, key=lambda e: abs(float(e.get("timestep")) - time))
+        reader = vtkXMLPolyDataReader()
+        reader.SetFileName(str(self.folder / entry.get("file")))
+        reader.Update()
+        data = reader.GetOutput()
+        arrays = data.GetPointData()
+        fields = {arrays.GetArrayName(a): vtk_to_numpy(arrays.GetArray(a)).copy() for a in range(arrays.GetNumberOfArrays())}
+        return vtk_to_numpy(data.GetPoints().GetData()).copy(), fields
+
+
+def mises(stress):
+    """Von Mises stress from components in VTK's order, xx yy zz xy yz xz."""
+    xx, yy, zz, xy, yz, xz = stress.T
+    return np.sqrt(((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2) / 2 + 3 * (xy**2 + yz**2 + xz**2))
+
+
+def save(figure, name):
+    PICTURES.mkdir(exist_ok=True)
+    file = PICTURES / f"{name}.png"
+    figure.savefig(file, dpi=110, bbox_inches="tight", pad_inches=0.08)
+    plt.close(figure)
+    Image.open(file).convert("RGB").quantize(128, dither=Image.Dither.NONE).save(file, optimize=True)
+    print(f"{file}: {file.stat().st_size // 1000} kB")
+
+
+def snapshots(run, times, value, label, limits, scale, unit, box, size, title, floor=True, mirrored=False):
+    """Particles at several times, side by side, coloured by value(fields)."""
+    left, right, bottom, top = box
+    width = 10.0
+    height = width / len(times) * (top - bottom) / (right - left)
+    figure, axes = plt.subplots(1, len(times), figsize=(width, height + 0.9), sharey=True, layout="constrained")
+    for axis, (time, text) in zip(axes, times):
+        points, fields = run.particles(time)
+        x, y = points[:, 0] * scale, points[:, 1] * scale
+        c = value(fields)
+        if mirrored:
+            x, y, c = np.concatenate([x, -x]), np.concatenate([y, y]), np.concatenate([c, c])
+        shown = axis.scatter(x, y, c=c, s=size, cmap="viridis", vmin=limits[0], vmax=limits[1], linewidths=0)
+        if floor:
+            axis.axhline(bottom, color="0.3", linewidth=3)
+        axis.set(xlim=(left, right), ylim=(bottom, top), aspect="equal", title=text)
+        axis.set_xlabel(unit)
+        axis.locator_params(axis="x", nbins=4)
+    axes[0].set_ylabel(unit)
+    figure.colorbar(shown, ax=axes, label=label, shrink=0.9, pad=0.01)
+    figure.suptitle(title)
+    return figure
+
+
+def pulled_bar(matpoint, folder):
+    run = Run(matpoint, HERE / "01_pulled_bar.json", folder)
+    time, end = run.probe("end")
+    period = 4 / np.sqrt(200e9 / 7850)
+    exact = np.abs((time / period) % 1 * 2 - 1)
+    figure, axis = plt.subplots(figsize=(7, 2.8), layout="constrained")
+    axis.plot(time * 1e3, (1 - exact), color="0.75", linewidth=5, label="exact: 2 p L / E there, and back")
+    axis.plot(time * 1e3, end * 1e3, color="C0", linewidth=1.5, label="computed")
+    axis.set(xlabel="time, ms", ylabel="displacement, mm", title="The end of a bar that is pulled suddenly", ylim=(-0.1, 1.45))
+    axis.legend(frameon=False, loc="upper right", ncols=2)
+    save(figure, "01_pulled_bar")
+
+
+def bouncing_disk(matpoint, folder):
+    run = Run(matpoint, HERE / "02_bouncing_disk.json", folder)
+    times = [(t * 1e-3, f"{t} ms") for t in (0, 10, 20, 30, 50, 90)]
+    save(snapshots(run, times, lambda f: mises(f["stress"]) / 1e3, "von Mises stress, kPa", (0, 80), 100, "cm",
+                   (-6.5, 6.5, 0, 22), 2.5, "A rubber disk bounces"), "02_bouncing_disk")
+
+
+def metal_impact(matpoint, folder):
+    run = Run(matpoint, HERE / "03_metal_impact.json", folder)
+    times = [(t * 1e-6, f"{t} μs") for t in (0, 10, 20, 40, 60, 80)]
+    save(snapshots(run, times, lambda f: f["plastic_strain"], "plastic strain", (0, 2), 1e3, "mm", (-9, 9, 0, 34), 2,
+                   "A copper rod hits a wall at 227 m/s", mirrored=True), "03_metal_impact")
+
+
+def press(matpoint, folder):
+    run = Run(matpoint, HERE / "04_press.json", folder)
+    times = [(t * 1e-3, f"{t} ms") for t in (0, 50, 100, 150, 200)]
+    save(snapshots(run, times, lambda f: mises(f["stress"]) / 1e3, "von Mises stress, kPa", (0, 60), 100, "cm",
+                   (-7.5, 7.5, 0, 18.5), 1.5, "A stamp squeezes a ring"), "04_press")
+
+
+def own_particles(matpoint, folder):
+    run = Run(matpoint, HERE / "05_own_particles.json", folder)
+    figure, axis = plt.subplots(figsize=(10, 3.9), layout="constrained")
+    for time in (0, 0.03, 0.06, 0.095, 0.15):
+        points, fields = run.particles(time)
+        speed = np.linalg.norm(fields["velocity"], axis=1)
+        shown = axis.scatter(points[:, 0] * 100, points[:, 1] * 100, c=speed, s=3, cmap="viridis", vmin=0, vmax=3, linewidths=0)
+        axis.annotate(f"{time * 1e3:.0f} ms", (points[:, 0].mean() * 100, points[:, 1].max() * 100 + 0.6), ha="center")
+    axis.axhline(0, color="0.3", linewidth=3)
+    axis.set(aspect="equal", xlabel="cm", ylabel="cm", title="A spinning star of given particles", ylim=(0, None))
+    figure.colorbar(shown, ax=axis, label="speed, m/s", pad=0.01)
+    save(figure, "05_own_particles")
+
+
+def knot(matpoint, folder):
+    """The knot from above and aside, far particles first; those on the side away from the light are darker."""
+    run = Run(matpoint, KNOT, folder)
+    times = (0, 0.012, 0.020, 0.030, 0.044, 0.060)
+    turn, tilt = np.radians(-60), np.radians(28)
+    right = np.array([np.cos(turn), np.sin(turn), 0])
+    towards = np.array([np.sin(turn) * np.cos(tilt), -np.cos(turn) * np.cos(tilt), np.sin(tilt)])
+    up = np.cross(towards, right)
+    figure, axes = plt.subplots(2, 3, figsize=(10, 6.6), sharex=True, sharey=True, layout="constrained")
+    ground = np.array([[-0.05, -0.05, 0], [0.05, -0.05, 0], [0.05, 0.05, 0], [-0.05, 0.05, 0]]) * 100
+    for axis, time in zip(axes.flat, times):
+        points, fields = run.particles(time)
+        points = points * 100
+        value = mises(fields["stress"]) / 1e3
+        order = np.argsort(points @ towards)
+        axis.fill(ground @ right, ground @ up, color="0.9", zorder=0)
+        flat = points * np.array([1, 1, 0])
+        axis.scatter(flat @ right, flat @ up, color="0.75", s=3, linewidths=0, zorder=1)
+        shown = axis.scatter((points @ right)[order], (points @ up)[order], c=value[order], s=5, cmap="viridis", vmin=0, vmax=40,
+                             linewidths=0, zorder=2)
+        axis.set(aspect="equal", title=f"{time * 1e3:.0f} ms")
+        axis.axis("off")
+    figure.colorbar(shown, ax=axes, label="von Mises stress, kPa", shrink=0.8, pad=0.01)
+    save(figure, "knot")
+
+
+DRAWN = {"01_pulled_bar": pulled_bar, "02_bouncing_disk": bouncing_disk, "03_metal_impact": metal_impact, "04_press": press,
+         "05_own_particles": own_particles, "knot": knot}
+
+
+def main(matpoint, *names):
+    for name in names or DRAWN:
+        with tempfile.TemporaryDirectory() as folder:
+            DRAWN[name](str(Path(matpoint).resolve()), Path(folder) / name)
+
+
+main(*sys.argv[1:])
