@@ -8,7 +8,7 @@ from math import atan2, cos, hypot, sqrt
 
 distance = 0.0025  # between neighbours, m
 centre = (0.0, 0.09)  # m
-spin = 40.0  # rad/s
+spin = -40.0  # rad/s
 size = 0.045  # mean radius, m
 
 

@@ -24,6 +24,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 HERE = Path(__file__).resolve().parent
 PICTURES = HERE / "pictures"
+COLOURS = matplotlib.colors.ListedColormap(matplotlib.colormaps["turbo"](np.linspace(0.1, 0.97, 256)))
 KNOT = HERE.parent / "verification" / "stl_bounce" / "bounce.json"
 
 plt.rcParams.update({"font.size": 10, "axes.titlesize": 10, "figure.titlesize": 12, "axes.spines.top": False,
@@ -35,7 +36,7 @@ class Run:
 
     def __init__(self, matpoint, scene, folder, *options):
         self.folder = folder
-        subprocess.run([matpoint, "run", scene, "--output", folder, "--quiet", *options], check=True)
+        subprocess.run([matpoint, "run", scene, "--output", folder, "--quiet", "--threads", "1", *options], check=True)
 
     def probe(self, name):
         with open(self.folder / f"{name}.csv", newline="") as stream:
@@ -74,22 +75,22 @@ def snapshots(run, times, value, label, limits, scale, unit, box, size, title, f
     """Particles at several times, side by side, coloured by value(fields)."""
     left, right, bottom, top = box
     width = 10.0
-    height = width / len(times) * (top - bottom) / (right - left)
-    figure, axes = plt.subplots(1, len(times), figsize=(width, height + 0.9), sharey=True, layout="constrained")
+    height = 0.84 * width / len(times) * (top - bottom) / (right - left)
+    figure, axes = plt.subplots(1, len(times), figsize=(width, height + 0.95), sharey=True, layout="constrained")
     for axis, (time, text) in zip(axes, times):
         points, fields = run.particles(time)
         x, y = points[:, 0] * scale, points[:, 1] * scale
         c = value(fields)
         if mirrored:
             x, y, c = np.concatenate([x, -x]), np.concatenate([y, y]), np.concatenate([c, c])
-        shown = axis.scatter(x, y, c=c, s=size, cmap="viridis", vmin=limits[0], vmax=limits[1], linewidths=0)
+        shown = axis.scatter(x, y, c=c, s=size, cmap=COLOURS, vmin=limits[0], vmax=limits[1], linewidths=0)
         if floor:
             axis.axhline(bottom, color="0.3", linewidth=3)
         axis.set(xlim=(left, right), ylim=(bottom, top), aspect="equal", title=text)
         axis.set_xlabel(unit)
         axis.locator_params(axis="x", nbins=4)
     axes[0].set_ylabel(unit)
-    figure.colorbar(shown, ax=axes, label=label, shrink=0.9, pad=0.01)
+    figure.colorbar(shown, ax=axes, label=label, pad=0.01)
     figure.suptitle(title)
     return figure
 
@@ -111,13 +112,13 @@ def bouncing_disk(matpoint, folder):
     run = Run(matpoint, HERE / "02_bouncing_disk.json", folder)
     times = [(t * 1e-3, f"{t} ms") for t in (0, 10, 20, 30, 50, 90)]
     save(snapshots(run, times, lambda f: mises(f["stress"]) / 1e3, "von Mises stress, kPa", (0, 80), 100, "cm",
-                   (-6.5, 6.5, 0, 22), 2.5, "A rubber disk bounces"), "02_bouncing_disk")
+                   (-6.5, 6.5, 0, 22), 4.5, "A rubber disk bounces"), "02_bouncing_disk")
 
 
 def metal_impact(matpoint, folder):
     run = Run(matpoint, HERE / "03_metal_impact.json", folder)
     times = [(t * 1e-6, f"{t} μs") for t in (0, 10, 20, 40, 60, 80)]
-    save(snapshots(run, times, lambda f: f["plastic_strain"], "plastic strain", (0, 2), 1e3, "mm", (-9, 9, 0, 34), 2,
+    save(snapshots(run, times, lambda f: f["plastic_strain"], "plastic strain", (0, 2), 1e3, "mm", (-9, 9, 0, 34), 3,
                    "A copper rod hits a wall at 227 m/s", mirrored=True), "03_metal_impact")
 
 
@@ -125,16 +126,16 @@ def press(matpoint, folder):
     run = Run(matpoint, HERE / "04_press.json", folder)
     times = [(t * 1e-3, f"{t} ms") for t in (0, 50, 100, 150, 200)]
     save(snapshots(run, times, lambda f: mises(f["stress"]) / 1e3, "von Mises stress, kPa", (0, 60), 100, "cm",
-                   (-7.5, 7.5, 0, 18.5), 1.5, "A stamp squeezes a ring"), "04_press")
+                   (-7.5, 7.5, 0, 18.5), 4, "A stamp squeezes a ring"), "04_press")
 
 
 def own_particles(matpoint, folder):
     run = Run(matpoint, HERE / "05_own_particles.json", folder)
-    figure, axis = plt.subplots(figsize=(10, 3.9), layout="constrained")
-    for time in (0, 0.03, 0.06, 0.095, 0.15):
+    figure, axis = plt.subplots(figsize=(10, 3.4), layout="constrained")
+    for time in (0, 0.065, 0.13, 0.19, 0.25):
         points, fields = run.particles(time)
         speed = np.linalg.norm(fields["velocity"], axis=1)
-        shown = axis.scatter(points[:, 0] * 100, points[:, 1] * 100, c=speed, s=3, cmap="viridis", vmin=0, vmax=3, linewidths=0)
+        shown = axis.scatter(points[:, 0] * 100, points[:, 1] * 100, c=speed, s=6, cmap=COLOURS, vmin=0, vmax=4, linewidths=0)
         axis.annotate(f"{time * 1e3:.0f} ms", (points[:, 0].mean() * 100, points[:, 1].max() * 100 + 0.6), ha="center")
     axis.axhline(0, color="0.3", linewidth=3)
     axis.set(aspect="equal", xlabel="cm", ylabel="cm", title="A spinning star of given particles", ylim=(0, None))
@@ -142,29 +143,62 @@ def own_particles(matpoint, folder):
     save(figure, "05_own_particles")
 
 
+def blurred(image, times):
+    """Mean over a pixel and its neighbours, several times."""
+    for _ in range(times):
+        padded = np.pad(image, 1)
+        image = sum(padded[1 + i : padded.shape[0] - 1 + i, 1 + j : padded.shape[1] - 1 + j] for i in (-1, 0, 1) for j in (-1, 0, 1)) / 9
+    return image
+
+
+def lit_balls(points, value, limits, view, corner, shape, pixel, radius):
+    """An image (RGBA) of particles as balls, lit from the upper left, seen along view = (right, up, towards)."""
+    across, height, depth = (points @ direction for direction in view)
+    column, row = ((across - corner[0]) / pixel).astype(int), ((height - corner[1]) / pixel).astype(int)
+    reach = int(radius / pixel)
+    disk = [(i, j, np.sqrt(radius**2 - (i * i + j * j) * pixel**2)) for i in range(-reach, reach + 1) for j in range(-reach, reach + 1)
+            if (i * i + j * j) * pixel**2 < radius**2]
+    front, total, count = np.full(shape, -np.inf), np.zeros(shape), np.zeros(shape)
+    for i, j, bulge in disk:
+        np.maximum.at(front, (row + i, column + j), depth + bulge)
+    for i, j, bulge in disk:
+        seen = depth + bulge > front[row + i, column + j] - radius
+        np.add.at(total, (row[seen] + i, column[seen] + j), value[seen])
+        np.add.at(count, (row[seen] + i, column[seen] + j), 1)
+    mask = count > 0
+    surface = blurred(np.where(mask, front, 0), 3) / np.maximum(blurred(mask.astype(float), 3), 1e-9)
+    slope_up, slope_right = np.gradient(surface, pixel)
+    light = np.array([-0.45, 0.6, 0.66])
+    shade = (light[2] - slope_right * light[0] - slope_up * light[1]) / np.sqrt(1 + slope_up**2 + slope_right**2)
+    image = COLOURS((total / np.maximum(count, 1) - limits[0]) / (limits[1] - limits[0]))
+    image[..., :3] *= (0.5 + 0.5 * np.clip(shade, 0, 1))[..., None]
+    image[..., 3] = mask
+    return image
+
+
 def knot(matpoint, folder):
-    """The knot from above and aside, far particles first; those on the side away from the light are darker."""
     run = Run(matpoint, KNOT, folder)
-    times = (0, 0.012, 0.020, 0.030, 0.044, 0.060)
-    turn, tilt = np.radians(-60), np.radians(28)
+    turn, tilt = np.radians(-60), np.radians(30)
     right = np.array([np.cos(turn), np.sin(turn), 0])
     towards = np.array([np.sin(turn) * np.cos(tilt), -np.cos(turn) * np.cos(tilt), np.sin(tilt)])
-    up = np.cross(towards, right)
-    figure, axes = plt.subplots(2, 3, figsize=(10, 6.6), sharex=True, sharey=True, layout="constrained")
-    ground = np.array([[-0.05, -0.05, 0], [0.05, -0.05, 0], [0.05, 0.05, 0], [-0.05, 0.05, 0]]) * 100
-    for axis, time in zip(axes.flat, times):
+    view = right, np.cross(towards, right), towards
+    pixel, corner, shape = 0.03, (-6.0, -3.2), (360, 400)  # cm, cm, pixels
+    extent = (corner[0], corner[0] + shape[1] * pixel, corner[1], corner[1] + shape[0] * pixel)
+    figure, axes = plt.subplots(2, 3, figsize=(10, 5.4), layout="constrained")
+    ground = np.array([[-4.5, -4.5, 0], [4.5, -4.5, 0], [4.5, 4.5, 0], [-4.5, 4.5, 0]])
+    for axis, time in zip(axes.flat, (0, 0.008, 0.014, 0.024, 0.04, 0.06)):
         points, fields = run.particles(time)
         points = points * 100
-        value = mises(fields["stress"]) / 1e3
-        order = np.argsort(points @ towards)
-        axis.fill(ground @ right, ground @ up, color="0.9", zorder=0)
-        flat = points * np.array([1, 1, 0])
-        axis.scatter(flat @ right, flat @ up, color="0.75", s=3, linewidths=0, zorder=1)
-        shown = axis.scatter((points @ right)[order], (points @ up)[order], c=value[order], s=5, cmap="viridis", vmin=0, vmax=40,
-                             linewidths=0, zorder=2)
-        axis.set(aspect="equal", title=f"{time * 1e3:.0f} ms")
+        axis.fill(ground @ view[0], ground @ view[1], color="0.92", zorder=0)
+        shadow = points * np.array([1, 1, 0])
+        axis.scatter(shadow @ view[0], shadow @ view[1], color="0.78", s=4, linewidths=0, zorder=1)
+        image = lit_balls(points, mises(fields["stress"]) / 1e3, (0, 40), view, corner, shape, pixel, 0.13)
+        axis.imshow(image, origin="lower", extent=extent, zorder=2, interpolation="bilinear")
+        axis.set(xlim=(-5.9, 5.9), ylim=(-3.0, 6.2), aspect="equal")
+        axis.set_title(f"{time * 1e3:.0f} ms", y=0.92)
         axis.axis("off")
-    figure.colorbar(shown, ax=axes, label="von Mises stress, kPa", shrink=0.8, pad=0.01)
+    scale = matplotlib.cm.ScalarMappable(matplotlib.colors.Normalize(0, 40), COLOURS)
+    figure.colorbar(scale, ax=axes, label="von Mises stress, kPa", shrink=0.8, pad=0.01)
     save(figure, "knot")
 
 

@@ -122,8 +122,8 @@ def figures_8_14_18(runner):
         column[-1].set_xlabel("x from the middle")
     for panel in grid[:, 0]:
         panel.set_ylabel("stress")
-    grid[0, 0].legend(frameon=False, fontsize=8, loc="upper center")
-    grid[0, 0].set_ylim(-12, 5)
+    grid[0, 0].legend(frameon=False, fontsize=8, loc="lower center", bbox_to_anchor=(0.5, 0.2))
+    grid[0, 0].set_ylim(-14, 4)
     return figure
 
 
@@ -136,7 +136,7 @@ def main():
     arguments.folder.mkdir(parents=True, exist_ok=True)
     for name, draw in (("figure_02.png", figure_2), ("figure_05.png", figure_5),
                        ("figures_08_14_18.png", figures_8_14_18)):
-        draw(runner).savefig(arguments.folder / name, dpi=90)
+        draw(runner).savefig(arguments.folder / name, dpi=80)
         print(arguments.folder / name)
 
 

@@ -44,7 +44,8 @@ class Patch {
     const Coordinates& cells() const { return cells_; }
     Vector node_position(const Coordinates& node) const {
         Vector x;
-        for (int a = 0; a < S::dimension; ++a) x[a] = min_[a] + static_cast<Real>(node[static_cast<std::size_t>(a)]) * cell_size_[a];
+        for (int a = 0; a < S::dimension; ++a)
+            x[a] = min_[a] + static_cast<Real>(node[static_cast<std::size_t>(a)]) * cell_size_[a];
         return x;
     }
 
@@ -53,7 +54,8 @@ class Patch {
     static int block_of(int node) { return (node + 1) >> block_shift; }
     int block_number(const Coordinates& block) const {
         int number = 0;
-        for (int a = S::dimension - 1; a >= 0; --a) number = number * blocks_[static_cast<std::size_t>(a)] + block[static_cast<std::size_t>(a)];
+        for (int a = S::dimension - 1; a >= 0; --a)
+            number = number * blocks_[static_cast<std::size_t>(a)] + block[static_cast<std::size_t>(a)];
         return number;
     }
     Coordinates block_coordinates(int number) const {
@@ -110,8 +112,12 @@ class Patch {
     bool has(NodeField field) const { return required_[static_cast<std::size_t>(field)]; }
     static constexpr int components(NodeField field) { return field == NodeField::mass ? 1 : S::dimension; }
     Index node_count() const { return static_cast<Index>(existing_.size()) * block_nodes; }
-    Real* column(NodeField field, int component = 0) { return columns_[static_cast<std::size_t>(field)][static_cast<std::size_t>(component)].data(); }
-    const Real* column(NodeField field, int component = 0) const { return columns_[static_cast<std::size_t>(field)][static_cast<std::size_t>(component)].data(); }
+    Real* column(NodeField field, int component = 0) {
+        return columns_[static_cast<std::size_t>(field)][static_cast<std::size_t>(component)].data();
+    }
+    const Real* column(NodeField field, int component = 0) const {
+        return columns_[static_cast<std::size_t>(field)][static_cast<std::size_t>(component)].data();
+    }
     void clear(NodeField field);
     std::size_t bytes() const;
 

@@ -20,7 +20,8 @@ class Phases {
     struct Update {
         bool velocity = false;                   ///< particle velocity, by the transfer [eq. 18]
         std::optional<NodeField> position = {};  ///< position, moved with this nodal velocity [eq. 17]
-        std::optional<NodeField> stress = {};    ///< L, F, volume and stress, from this nodal velocity [eq. 10-13]
+        std::optional<NodeField> stress =
+            {};  ///< L, F, volume and stress, from this nodal velocity [eq. 10-13]
     };
 
     virtual long step_number() const = 0;

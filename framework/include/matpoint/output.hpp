@@ -33,11 +33,12 @@ class RunView {
     virtual std::vector<std::string> fields(const std::string& body) const = 0;
     virtual int components(const std::string& body, const std::string& field) const = 0;
     /// A component of a field for all particles of a body in the order of their seeding (by id).
-    virtual std::vector<double> column(const std::string& body, const std::string& field, int component) const = 0;
+    virtual std::vector<double> column(const std::string& body, const std::string& field,
+                                       int component) const = 0;
 
     virtual Energies energies() const = 0;
-    virtual double mass() const = 0;                             ///< kg
-    virtual std::array<double, 3> momentum() const = 0;          ///< kg m/s
+    virtual double mass() const = 0;                     ///< kg
+    virtual std::array<double, 3> momentum() const = 0;  ///< kg m/s
     /// Force of a named boundary condition on the bodies in the last step, N.
     virtual std::array<double, 3> reaction(const std::string& boundary_condition) const = 0;
 

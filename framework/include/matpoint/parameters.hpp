@@ -31,7 +31,9 @@ class Parameters {
     long integer(const char* name) const { return own_->at(name).get<long>(); }
     bool boolean(const char* name) const { return own_->at(name).get<bool>(); }
     std::string text(const char* name) const { return own_->at(name).get<std::string>(); }
-    std::vector<std::string> texts(const char* name) const { return own_->at(name).get<std::vector<std::string>>(); }
+    std::vector<std::string> texts(const char* name) const {
+        return own_->at(name).get<std::vector<std::string>>();
+    }
     std::vector<double> numbers(const char* name) const { return own_->at(name).get<std::vector<double>>(); }
     /// A vector or per_axis parameter; axes that the space lacks are zero.
     std::array<double, 3> vector(const char* name) const;

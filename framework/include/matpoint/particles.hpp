@@ -18,11 +18,11 @@ using Index = std::ptrdiff_t;
 /// Particle fields that the kernel knows. The first five always exist, the others when a component
 /// of the scene asks for them.
 enum class Field {
-    position,              ///< x, m; one component per dimension
-    velocity,              ///< v, m/s
-    mass,                  ///< m, kg (of the whole ring when axisymmetric; per unit width in 1D and plane strain)
-    volume,                ///< V, m^3 (likewise)
-    stress,                ///< Cauchy stress, Pa; components as Space::stress_size says
+    position,  ///< x, m; one component per dimension
+    velocity,  ///< v, m/s
+    mass,      ///< m, kg (of the whole ring when axisymmetric; per unit width in 1D and plane strain)
+    volume,    ///< V, m^3 (likewise)
+    stress,    ///< Cauchy stress, Pa; components as Space::stress_size says
     deformation_gradient,  ///< F; components as Space::deformation_size says
     velocity_gradient,     ///< L = dv/dx of the last stress update, 1/s; in-plane components by column
     affine_velocity,       ///< C of the affine transfer, 1/s; likewise
@@ -38,7 +38,7 @@ std::optional<Field> field_from_name(std::string_view name);
 
 /// A material's own variable, one number a particle.
 struct StateVariable {
-    std::string name;    ///< for outputs, "plastic_strain"
+    std::string name;  ///< for outputs, "plastic_strain"
     double initial = 0;
     std::string unit{};
 };
@@ -59,7 +59,9 @@ class Particles {
     void require(Field field);
     /// Adds a field of a component's own, by a name no other component uses; returns its slot.
     int require(const std::string& name, int components, double initial = 0);
-    bool has(Field field) const { return field == Field::id ? has_ids_ : slots_[static_cast<std::size_t>(field)] >= 0; }
+    bool has(Field field) const {
+        return field == Field::id ? has_ids_ : slots_[static_cast<std::size_t>(field)] >= 0;
+    }
     int slot(Field field) const { return slots_[static_cast<std::size_t>(field)]; }
     int slot(std::string_view name) const;  ///< -1 if there is no such field
     int components(int slot) const { return fields_[static_cast<std::size_t>(slot)].components; }
@@ -67,10 +69,12 @@ class Particles {
     int field_count() const { return static_cast<int>(fields_.size()); }
 
     Real* column(int slot, int component) {
-        return columns_[static_cast<std::size_t>(fields_[static_cast<std::size_t>(slot)].first + component)].data();
+        return columns_[static_cast<std::size_t>(fields_[static_cast<std::size_t>(slot)].first + component)]
+            .data();
     }
     const Real* column(int slot, int component) const {
-        return columns_[static_cast<std::size_t>(fields_[static_cast<std::size_t>(slot)].first + component)].data();
+        return columns_[static_cast<std::size_t>(fields_[static_cast<std::size_t>(slot)].first + component)]
+            .data();
     }
     Real* column(Field field, int component = 0) { return column(slot(field), component); }
     const Real* column(Field field, int component = 0) const { return column(slot(field), component); }
@@ -121,10 +125,10 @@ struct Gathered {
     template <int N>
     using Columns = std::array<std::array<Real, batch_size>, static_cast<std::size_t>(N)>;
 
-    Columns<S::dimension> velocity;                   ///< sum S v, m/s
-    Columns<S::dimension> acceleration;               ///< sum S a, m/s^2
-    Columns<S::deformation_size> velocity_gradient;   ///< sum v (x) grad S, by column, then v_r / r; 1/s
-    Columns<S::dimension * S::dimension> affine;      ///< sum S v (x) (x_i - x_p) D^-1, by column; 1/s
+    Columns<S::dimension> velocity;                  ///< sum S v, m/s
+    Columns<S::dimension> acceleration;              ///< sum S a, m/s^2
+    Columns<S::deformation_size> velocity_gradient;  ///< sum v (x) grad S, by column, then v_r / r; 1/s
+    Columns<S::dimension * S::dimension> affine;     ///< sum S v (x) (x_i - x_p) D^-1, by column; 1/s
 };
 
 /// Consecutive particles of one body, handed to a component in one virtual call.
@@ -133,7 +137,8 @@ class ParticleBatch {
   public:
     using Real = typename S::Real;
 
-    ParticleBatch(Particles<S>& particles, Index begin, Index end, const Gathered<S>& gathered, int first_state)
+    ParticleBatch(Particles<S>& particles, Index begin, Index end, const Gathered<S>& gathered,
+                  int first_state)
         : particles_(&particles), begin_(begin), end_(end), gathered_(&gathered), first_state_(first_state) {}
 
     Index begin() const { return begin_; }
@@ -151,8 +156,10 @@ class ParticleBatch {
     Tensor<S> velocity_gradient(Index p) const {
         Tensor<S> t;
         const auto i = static_cast<std::size_t>(p - begin_);
-        for (int c = 0; c < S::dimension * S::dimension; ++c) t.plane.data()[c] = gathered_->velocity_gradient[static_cast<std::size_t>(c)][i];
-        if constexpr (S::axisymmetric) t.normal = gathered_->velocity_gradient[S::dimension * S::dimension][i];
+        for (int c = 0; c < S::dimension * S::dimension; ++c)
+            t.plane.data()[c] = gathered_->velocity_gradient[static_cast<std::size_t>(c)][i];
+        if constexpr (S::axisymmetric)
+            t.normal = gathered_->velocity_gradient[S::dimension * S::dimension][i];
         return t;
     }
     Tensor<S> stress(Index p) const { return load_stress(*particles_, p); }
@@ -162,14 +169,19 @@ class ParticleBatch {
 
     static Tensor<S> load_deformation(const Particles<S>& particles, Index p) {
         Tensor<S> t;
-        for (int c = 0; c < S::dimension * S::dimension; ++c) t.plane.data()[c] = particles.column(Field::deformation_gradient, c)[p];
-        if constexpr (S::axisymmetric) t.normal = particles.column(Field::deformation_gradient, S::dimension * S::dimension)[p];
-        else if constexpr (S::has_normal) t.normal = Real(1);
+        for (int c = 0; c < S::dimension * S::dimension; ++c)
+            t.plane.data()[c] = particles.column(Field::deformation_gradient, c)[p];
+        if constexpr (S::axisymmetric)
+            t.normal = particles.column(Field::deformation_gradient, S::dimension * S::dimension)[p];
+        else if constexpr (S::has_normal)
+            t.normal = Real(1);
         return t;
     }
     static void store_deformation(Particles<S>& particles, Index p, const Tensor<S>& t) {
-        for (int c = 0; c < S::dimension * S::dimension; ++c) particles.column(Field::deformation_gradient, c)[p] = t.plane.data()[c];
-        if constexpr (S::axisymmetric) particles.column(Field::deformation_gradient, S::dimension * S::dimension)[p] = t.normal;
+        for (int c = 0; c < S::dimension * S::dimension; ++c)
+            particles.column(Field::deformation_gradient, c)[p] = t.plane.data()[c];
+        if constexpr (S::axisymmetric)
+            particles.column(Field::deformation_gradient, S::dimension * S::dimension)[p] = t.normal;
     }
     static Tensor<S> load_stress(const Particles<S>& particles, Index p) {
         const auto s = [&](int c) { return particles.column(Field::stress, c)[p]; };

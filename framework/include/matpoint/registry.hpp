@@ -28,24 +28,51 @@ using Factory = std::function<std::shared_ptr<Component>(const Parameters&)>;
 class Registry {
   public:
     struct Entry {
-        std::string kind;     ///< "material", "shape_function", …
-        std::string type;     ///< the name that scenes use
+        std::string kind;  ///< "material", "shape_function", …
+        std::string type;  ///< the name that scenes use
         Schema schema;
-        std::string plugin;   ///< the plugin that registered it, and its version
+        std::string plugin;  ///< the plugin that registered it, and its version
         std::string version;
         std::array<Factory, SpaceId::count> make;  ///< by SpaceId::index()
     };
 
-    template <template <class> class C> void shape_function(std::string type) { spatial<C>("shape_function", std::move(type)); }
-    template <template <class> class C> void transfer(std::string type) { spatial<C>("transfer", std::move(type)); }
-    template <template <class> class C> void integrator(std::string type) { spatial<C>("integrator", std::move(type)); }
-    template <template <class> class C> void material(std::string type) { spatial<C>("material", std::move(type)); }
-    template <template <class> class C> void boundary_condition(std::string type) { spatial<C>("boundary_condition", std::move(type)); }
-    template <template <class> class C> void load(std::string type) { spatial<C>("load", std::move(type)); }
-    template <template <class> class C> void grid(std::string type) { spatial<C>("grid", std::move(type)); }
+    template <template <class> class C>
+    void shape_function(std::string type) {
+        spatial<C>("shape_function", std::move(type));
+    }
+    template <template <class> class C>
+    void transfer(std::string type) {
+        spatial<C>("transfer", std::move(type));
+    }
+    template <template <class> class C>
+    void integrator(std::string type) {
+        spatial<C>("integrator", std::move(type));
+    }
+    template <template <class> class C>
+    void material(std::string type) {
+        spatial<C>("material", std::move(type));
+    }
+    template <template <class> class C>
+    void boundary_condition(std::string type) {
+        spatial<C>("boundary_condition", std::move(type));
+    }
+    template <template <class> class C>
+    void load(std::string type) {
+        spatial<C>("load", std::move(type));
+    }
+    template <template <class> class C>
+    void grid(std::string type) {
+        spatial<C>("grid", std::move(type));
+    }
     /// Geometries and outputs work in double precision and three coordinates, whatever the space.
-    template <class C> void geometry(std::string type) { plain<C>("geometry", std::move(type)); }
-    template <class C> void output(std::string type) { plain<C>("output", std::move(type)); }
+    template <class C>
+    void geometry(std::string type) {
+        plain<C>("geometry", std::move(type));
+    }
+    template <class C>
+    void output(std::string type) {
+        plain<C>("output", std::move(type));
+    }
 
     /// Throws std::runtime_error naming both plugins if `kind`/`type` is there already.
     void add(Entry entry);
@@ -55,7 +82,8 @@ class Registry {
     /// Makes the component that `own["type"]` names, for the context's space. The entry must exist
     /// (validation has seen to it). `C` is the kind's interface.
     template <class C>
-    std::shared_ptr<C> make(const std::string& kind, const Json& own, const Parameters::Context& context) const {
+    std::shared_ptr<C> make(const std::string& kind, const Json& own,
+                            const Parameters::Context& context) const {
         return std::static_pointer_cast<C>(make_component(kind, own, context));
     }
 
@@ -66,8 +94,10 @@ class Registry {
     template <template <class> class C>
     void spatial(const char* kind, std::string type) {
         Entry entry{kind, std::move(type), C<PlaneStrain>::schema(), plugin_, version_, {}};
-#define MATPOINT_ADD_FACTORY(S) \
-    entry.make[static_cast<std::size_t>(SpaceId::of<S>().index())] = [](const Parameters& p) { return std::make_shared<C<S>>(p); };
+#define MATPOINT_ADD_FACTORY(S)                                                                \
+    entry.make[static_cast<std::size_t>(SpaceId::of<S>().index())] = [](const Parameters& p) { \
+        return std::make_shared<C<S>>(p);                                                      \
+    };
         MATPOINT_FOR_EACH_SPACE(MATPOINT_ADD_FACTORY)
 #undef MATPOINT_ADD_FACTORY
         add(std::move(entry));
@@ -78,7 +108,8 @@ class Registry {
         entry.make.fill([](const Parameters& p) { return std::make_shared<C>(p); });
         add(std::move(entry));
     }
-    std::shared_ptr<Component> make_component(const std::string& kind, const Json& own, const Parameters::Context& context) const;
+    std::shared_ptr<Component> make_component(const std::string& kind, const Json& own,
+                                              const Parameters::Context& context) const;
 
     std::map<std::pair<std::string, std::string>, Entry> entries_;
     std::string plugin_, version_;

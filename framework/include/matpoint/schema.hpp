@@ -15,35 +15,37 @@ class Schema;
 
 /// What a user may write for a parameter, and what a component then finds in its Parameters.
 enum class ParameterType {
-    number,       ///< a number, or a string with a unit; resolved to SI
-    integer,      ///< a whole number
-    boolean,      ///< true or false
-    text,         ///< any string
-    file,         ///< a path, relative to the scene's folder
-    choice,       ///< one of `choices`
-    vector,       ///< one number per dimension of the space
-    per_axis,     ///< a number for all axes, or one per dimension; resolved to one per dimension
-    numbers,      ///< a list of numbers of any length
-    texts,        ///< a string or a list of strings; resolved to a list
-    profile,      ///< a number, a formula of x, y, z, t, or {"times": [...], "values": [...]}
-    profiles,     ///< one profile per dimension; null leaves that component free
-    reference,    ///< a name in the scene's section `section` ("bodies", "materials")
-    references,   ///< a name or a list of names there; resolved to a list
-    place,        ///< a grid face ("x_min"), a list of faces, or a geometry object; resolved to a list of faces or the object
-    component,    ///< an object with "type", of kind `kind`
-    components,   ///< a list of such objects
-    object,       ///< an object described by `nested`
-    map,          ///< an object of at least `at_least` names of the user's: each a component of `kind`, or an object described by `nested`
-    any,          ///< kept as given
+    number,      ///< a number, or a string with a unit; resolved to SI
+    integer,     ///< a whole number
+    boolean,     ///< true or false
+    text,        ///< any string
+    file,        ///< a path, relative to the scene's folder
+    choice,      ///< one of `choices`
+    vector,      ///< one number per dimension of the space
+    per_axis,    ///< a number for all axes, or one per dimension; resolved to one per dimension
+    numbers,     ///< a list of numbers of any length
+    texts,       ///< a string or a list of strings; resolved to a list
+    profile,     ///< a number, a formula of x, y, z, t, or {"times": [...], "values": [...]}
+    profiles,    ///< one profile per dimension; null leaves that component free
+    reference,   ///< a name in the scene's section `section` ("bodies", "materials")
+    references,  ///< a name or a list of names there; resolved to a list
+    place,  ///< a grid face ("x_min"), a list of faces, or a geometry object; resolved to a list of faces or
+            ///< the object
+    component,   ///< an object with "type", of kind `kind`
+    components,  ///< a list of such objects
+    object,      ///< an object described by `nested`
+    map,  ///< an object of at least `at_least` names of the user's: each a component of `kind`, or an object
+          ///< described by `nested`
+    any,  ///< kept as given
 };
 
 /// One parameter's description. Written with designated initialisers: {.unit = "Pa", .doc = "…"}.
 struct ParameterOptions {
-    std::string unit{};                  ///< SI unit; "" for none
-    std::string doc{};                   ///< one sentence
-    std::string paper{};                 ///< where the symbol comes from, "[Author Year, eq. n]"
-    std::optional<Json> default_value{}; ///< absent: the parameter must be given, unless `optional`
-    bool optional = false;               ///< may be absent, with no default
+    std::string unit{};                   ///< SI unit; "" for none
+    std::string doc{};                    ///< one sentence
+    std::string paper{};                  ///< where the symbol comes from, "[Author Year, eq. n]"
+    std::optional<Json> default_value{};  ///< absent: the parameter must be given, unless `optional`
+    bool optional = false;                ///< may be absent, with no default
     std::optional<double> at_least{};
     std::optional<double> at_most{};
     std::optional<double> greater_than{};
@@ -72,22 +74,42 @@ struct Rule {
 /// reference pages are all derived from it.
 class Schema {
   public:
-    explicit Schema(std::string doc = {}, std::string paper = {}) : doc_(std::move(doc)), paper_(std::move(paper)) {}
+    explicit Schema(std::string doc = {}, std::string paper = {})
+        : doc_(std::move(doc)), paper_(std::move(paper)) {}
 
-    Schema& number(std::string name, ParameterOptions o) { return add(std::move(name), ParameterType::number, std::move(o)); }
-    Schema& integer(std::string name, ParameterOptions o) { return add(std::move(name), ParameterType::integer, std::move(o)); }
-    Schema& boolean(std::string name, ParameterOptions o) { return add(std::move(name), ParameterType::boolean, std::move(o)); }
-    Schema& text(std::string name, ParameterOptions o) { return add(std::move(name), ParameterType::text, std::move(o)); }
-    Schema& choice(std::string name, ParameterOptions o) { return add(std::move(name), ParameterType::choice, std::move(o)); }
-    Schema& vector(std::string name, ParameterOptions o) { return add(std::move(name), ParameterType::vector, std::move(o)); }
-    Schema& profile(std::string name, ParameterOptions o) { return add(std::move(name), ParameterType::profile, std::move(o)); }
+    Schema& number(std::string name, ParameterOptions o) {
+        return add(std::move(name), ParameterType::number, std::move(o));
+    }
+    Schema& integer(std::string name, ParameterOptions o) {
+        return add(std::move(name), ParameterType::integer, std::move(o));
+    }
+    Schema& boolean(std::string name, ParameterOptions o) {
+        return add(std::move(name), ParameterType::boolean, std::move(o));
+    }
+    Schema& text(std::string name, ParameterOptions o) {
+        return add(std::move(name), ParameterType::text, std::move(o));
+    }
+    Schema& choice(std::string name, ParameterOptions o) {
+        return add(std::move(name), ParameterType::choice, std::move(o));
+    }
+    Schema& vector(std::string name, ParameterOptions o) {
+        return add(std::move(name), ParameterType::vector, std::move(o));
+    }
+    Schema& profile(std::string name, ParameterOptions o) {
+        return add(std::move(name), ParameterType::profile, std::move(o));
+    }
     /// Any other type of parameter.
     Schema& add(std::string name, ParameterType type, ParameterOptions o);
 
     /// Dimensions (1, 2, 3) the component works in; all by default.
-    Schema& dimensions(std::vector<int> d) { dimensions_ = std::move(d); return *this; }
-    Schema& refuse(std::string pointer, std::string reason, std::function<bool(const Json&, const Json&)> applies);
-    Schema& warn(std::string pointer, std::string reason, std::function<bool(const Json&, const Json&)> applies);
+    Schema& dimensions(std::vector<int> d) {
+        dimensions_ = std::move(d);
+        return *this;
+    }
+    Schema& refuse(std::string pointer, std::string reason,
+                   std::function<bool(const Json&, const Json&)> applies);
+    Schema& warn(std::string pointer, std::string reason,
+                 std::function<bool(const Json&, const Json&)> applies);
 
     const std::string& doc() const { return doc_; }
     const std::string& paper() const { return paper_; }

@@ -10,18 +10,18 @@ namespace matpoint {
 
 /// What the particles send to the nodes in one pass.
 struct Scatter {
-    bool mass = false;                      ///< m_i = sum S m
-    std::optional<NodeField> momentum{};    ///< into this field: sum S m (v + A (x_i - x_p))
-    int affine_slot = -1;                   ///< particle field that is A; -1: none
-    bool internal_force = false;            ///< f_i -= sum sigma grad S V
+    bool mass = false;                    ///< m_i = sum S m
+    std::optional<NodeField> momentum{};  ///< into this field: sum S m (v + A (x_i - x_p))
+    int affine_slot = -1;                 ///< particle field that is A; -1: none
+    bool internal_force = false;          ///< f_i -= sum sigma grad S V
 };
 
 /// What the particles read from the nodes in one pass.
 struct Gather {
-    std::optional<NodeField> velocity{};    ///< sum S v of this field
-    bool acceleration = false;              ///< sum S a
-    std::optional<NodeField> gradient{};    ///< sum v (x) grad S of this field
-    bool affine = false;                    ///< the affine velocity of NodeField::velocity
+    std::optional<NodeField> velocity{};  ///< sum S v of this field
+    bool acceleration = false;            ///< sum S a
+    std::optional<NodeField> gradient{};  ///< sum v (x) grad S of this field
+    bool affine = false;                  ///< the affine velocity of NodeField::velocity
 };
 
 template <class S>
@@ -60,9 +60,11 @@ class ShapeFunction : public Component {
     /// weights stay the same throughout it.
     virtual void start_step(const Patch<S>&, Particles<S>&) {}
     /// First node of the stencil of each particle in [begin, end).
-    virtual void base_nodes(const Patch<S>&, const Particles<S>&, Index begin, Index end, Coordinates* out) const = 0;
+    virtual void base_nodes(const Patch<S>&, const Particles<S>&, Index begin, Index end,
+                            Coordinates* out) const = 0;
     virtual void scatter(Patch<S>&, const Particles<S>&, Index begin, Index end, const Scatter&) const = 0;
-    virtual void gather(const Patch<S>&, const Particles<S>&, Index begin, Index end, const Gather&, GatherSink<S>&) const = 0;
+    virtual void gather(const Patch<S>&, const Particles<S>&, Index begin, Index end, const Gather&,
+                        GatherSink<S>&) const = 0;
     /// Adds the sources' values, weighted by S, to a vector field of the nodes.
     virtual void spread(Patch<S>&, std::span<const PointSource<S>>, NodeField) const = 0;
 

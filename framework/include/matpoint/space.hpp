@@ -41,13 +41,13 @@ using PlaneStrainSingle = Space<2, Mode::plane_strain, float>;
 using AxisymmetricSingle = Space<2, Mode::axisymmetric, float>;
 using SolidSingle = Space<3, Mode::solid, float>;
 
-#define MATPOINT_FOR_EACH_SPACE(X) \
-    X(::matpoint::Bar)             \
-    X(::matpoint::PlaneStrain)     \
-    X(::matpoint::Axisymmetric)    \
-    X(::matpoint::Solid)           \
-    X(::matpoint::BarSingle)       \
-    X(::matpoint::PlaneStrainSingle) \
+#define MATPOINT_FOR_EACH_SPACE(X)    \
+    X(::matpoint::Bar)                \
+    X(::matpoint::PlaneStrain)        \
+    X(::matpoint::Axisymmetric)       \
+    X(::matpoint::Solid)              \
+    X(::matpoint::BarSingle)          \
+    X(::matpoint::PlaneStrainSingle)  \
     X(::matpoint::AxisymmetricSingle) \
     X(::matpoint::SolidSingle)
 
@@ -60,9 +60,7 @@ struct SpaceId {
     static constexpr SpaceId of() {
         return {S::mode, sizeof(typename S::Real) == sizeof(float)};
     }
-    constexpr int dimension() const {
-        return mode == Mode::bar ? 1 : mode == Mode::solid ? 3 : 2;
-    }
+    constexpr int dimension() const { return mode == Mode::bar ? 1 : mode == Mode::solid ? 3 : 2; }
     static constexpr int count = 8;
     constexpr int index() const { return static_cast<int>(mode) * 2 + (single ? 1 : 0); }
     friend constexpr bool operator==(SpaceId, SpaceId) = default;
@@ -73,12 +71,16 @@ template <class Function>
 auto with_space(SpaceId id, Function&& function) {
     switch (id.mode) {
         case Mode::bar:
-            return id.single ? function.template operator()<BarSingle>() : function.template operator()<Bar>();
+            return id.single ? function.template operator()<BarSingle>()
+                             : function.template operator()<Bar>();
         case Mode::plane_strain:
-            return id.single ? function.template operator()<PlaneStrainSingle>() : function.template operator()<PlaneStrain>();
+            return id.single ? function.template operator()<PlaneStrainSingle>()
+                             : function.template operator()<PlaneStrain>();
         case Mode::axisymmetric:
-            return id.single ? function.template operator()<AxisymmetricSingle>() : function.template operator()<Axisymmetric>();
-        case Mode::solid: break;
+            return id.single ? function.template operator()<AxisymmetricSingle>()
+                             : function.template operator()<Axisymmetric>();
+        case Mode::solid:
+            break;
     }
     return id.single ? function.template operator()<SolidSingle>() : function.template operator()<Solid>();
 }

@@ -71,22 +71,28 @@ Tensor<S> skew(const Tensor<S>& a) {
 
 template <class S>
 typename S::Real trace(const Tensor<S>& a) {
-    if constexpr (S::has_normal) return a.plane.trace() + a.normal;
-    else return a.plane.trace();
+    if constexpr (S::has_normal)
+        return a.plane.trace() + a.normal;
+    else
+        return a.plane.trace();
 }
 
 template <class S>
 typename S::Real determinant(const Tensor<S>& a) {
-    if constexpr (S::has_normal) return a.plane.determinant() * a.normal;
-    else return a.plane.determinant();
+    if constexpr (S::has_normal)
+        return a.plane.determinant() * a.normal;
+    else
+        return a.plane.determinant();
 }
 
 /// a : b, the sum of the products of all components.
 template <class S>
 typename S::Real contract(const Tensor<S>& a, const Tensor<S>& b) {
     const typename S::Real plane = a.plane.cwiseProduct(b.plane).sum();
-    if constexpr (S::has_normal) return plane + a.normal * b.normal;
-    else return plane;
+    if constexpr (S::has_normal)
+        return plane + a.normal * b.normal;
+    else
+        return plane;
 }
 
 }  // namespace matpoint

@@ -18,7 +18,8 @@ class Transfer : public Component {
     /// Whether update() reads the gathered acceleration, or the gathered affine velocity.
     virtual bool needs_acceleration() const = 0;
     virtual bool needs_affine() const { return false; }
-    /// Share of a particle's velocity that is replaced by the grid's in a step: 0 for FLIP, 1 for PIC and APIC.
+    /// Share of a particle's velocity that is replaced by the grid's in a step: 0 for FLIP, 1 for PIC and
+    /// APIC.
     virtual Real grid_share() const = 0;
     /// New velocity of every particle of the batch from what was gathered; dt in s.
     virtual void update(const ParticleBatch<S>& batch, Real dt) const = 0;

@@ -6,13 +6,14 @@
 namespace matpoint {
 
 std::string_view node_field_name(NodeField field) {
-    constexpr std::array<std::string_view, node_fields> names = {"mass",         "velocity",          "force",
-                                                                 "acceleration", "remapped_velocity", "external_force"};
+    constexpr std::array<std::string_view, node_fields> names = {
+        "mass", "velocity", "force", "acceleration", "remapped_velocity", "external_force"};
     return names[static_cast<std::size_t>(field)];
 }
 
 template <class S>
-Patch<S>::Patch(const std::array<double, 3>& min, const std::array<double, 3>& cell_size, const Coordinates& cells)
+Patch<S>::Patch(const std::array<double, 3>& min, const std::array<double, 3>& cell_size,
+                const Coordinates& cells)
     : cells_(cells) {
     std::size_t count = 1;
     for (std::size_t a = 0; a < S::dimension; ++a) {
@@ -24,14 +25,17 @@ Patch<S>::Patch(const std::array<double, 3>& min, const std::array<double, 3>& c
         count *= static_cast<std::size_t>(blocks_[a]);
     }
     slots_.assign(count, -1);
-    for (const NodeField field : {NodeField::mass, NodeField::velocity, NodeField::force, NodeField::acceleration}) require(field);
+    for (const NodeField field :
+         {NodeField::mass, NodeField::velocity, NodeField::force, NodeField::acceleration})
+        require(field);
 }
 
 template <class S>
 void Patch<S>::set_blocks(const std::vector<int>& numbers) {
     for (const int number : existing_) slots_[static_cast<std::size_t>(number)] = -1;
     existing_ = numbers;
-    for (std::size_t slot = 0; slot < existing_.size(); ++slot) slots_[static_cast<std::size_t>(existing_[slot])] = static_cast<int>(slot);
+    for (std::size_t slot = 0; slot < existing_.size(); ++slot)
+        slots_[static_cast<std::size_t>(existing_[slot])] = static_cast<int>(slot);
     for (int f = 0; f < node_fields; ++f)
         if (const auto field = static_cast<NodeField>(f); has(field)) clear(field);
 }
@@ -50,7 +54,8 @@ typename Patch<S>::Coordinates Patch<S>::node_coordinates(int index) const {
 template <class S>
 void Patch<S>::clear(NodeField field) {
     for (int c = 0; c < components(field); ++c)
-        columns_[static_cast<std::size_t>(field)][static_cast<std::size_t>(c)].assign(static_cast<std::size_t>(node_count()), Real(0));
+        columns_[static_cast<std::size_t>(field)][static_cast<std::size_t>(c)].assign(
+            static_cast<std::size_t>(node_count()), Real(0));
 }
 
 template <class S>

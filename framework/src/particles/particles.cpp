@@ -7,17 +7,28 @@ namespace matpoint {
 
 namespace {
 
-constexpr std::array<std::string_view, known_fields> names = {
-    "position",          "velocity",        "mass",      "volume",            "stress",           "deformation_gradient",
-    "velocity_gradient", "affine_velocity", "half_size", "initial_half_size", "initial_position", "id"};
+constexpr std::array<std::string_view, known_fields> names = {"position",
+                                                              "velocity",
+                                                              "mass",
+                                                              "volume",
+                                                              "stress",
+                                                              "deformation_gradient",
+                                                              "velocity_gradient",
+                                                              "affine_velocity",
+                                                              "half_size",
+                                                              "initial_half_size",
+                                                              "initial_position",
+                                                              "id"};
 
 template <class S>
 std::vector<double> initial_values(Field field) {
     constexpr std::size_t d = S::dimension;
     switch (field) {
         case Field::mass:
-        case Field::volume: return {0};
-        case Field::stress: return std::vector<double>(S::stress_size, 0);
+        case Field::volume:
+            return {0};
+        case Field::stress:
+            return std::vector<double>(S::stress_size, 0);
         case Field::deformation_gradient: {
             std::vector<double> identity(S::deformation_size, 0);
             for (std::size_t a = 0; a < d; ++a) identity[a * d + a] = 1;
@@ -25,8 +36,10 @@ std::vector<double> initial_values(Field field) {
             return identity;
         }
         case Field::velocity_gradient:
-        case Field::affine_velocity: return std::vector<double>(d * d, 0);
-        default: return std::vector<double>(d, 0);
+        case Field::affine_velocity:
+            return std::vector<double>(d * d, 0);
+        default:
+            return std::vector<double>(d, 0);
     }
 }
 
@@ -45,7 +58,8 @@ std::optional<Field> field_from_name(std::string_view name) {
 template <class S>
 Particles<S>::Particles(std::string body) : body_(std::move(body)) {
     slots_.fill(-1);
-    for (const Field field : {Field::position, Field::velocity, Field::mass, Field::volume, Field::stress}) require(field);
+    for (const Field field : {Field::position, Field::velocity, Field::mass, Field::volume, Field::stress})
+        require(field);
 }
 
 template <class S>
@@ -63,7 +77,8 @@ int Particles<S>::require(const std::string& name, int components, double initia
     const int found = slot(name);
     if (found >= 0) {
         if (this->components(found) != components)
-            throw std::logic_error("particle field \"" + name + "\" was asked for with different numbers of components");
+            throw std::logic_error("particle field \"" + name +
+                                   "\" was asked for with different numbers of components");
         return found;
     }
     return add(name, std::vector<double>(static_cast<std::size_t>(components), initial));
@@ -90,7 +105,8 @@ void Particles<S>::resize(Index n) {
     const auto count = static_cast<std::size_t>(n);
     for (const FieldInfo& field : fields_)
         for (std::size_t c = 0; c < field.initial.size(); ++c)
-            columns_[static_cast<std::size_t>(field.first) + c].resize(count, static_cast<Real>(field.initial[c]));
+            columns_[static_cast<std::size_t>(field.first) + c].resize(count,
+                                                                       static_cast<Real>(field.initial[c]));
     if (has_ids_) {
         const std::size_t old = ids_.size();
         ids_.resize(count);

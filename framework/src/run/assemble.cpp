@@ -15,7 +15,9 @@ namespace {
 class Maker {
   public:
     Maker(const Scene& scene, const Registry& registry)
-        : scene_(scene), registry_(registry), context_{scene.space, scene.folder, &registry, &scene.resolved} {}
+        : scene_(scene),
+          registry_(registry),
+          context_{scene.space, scene.folder, &registry, &scene.resolved} {}
 
     template <class C>
     std::shared_ptr<C> make(const std::string& kind, const std::string& pointer) {
@@ -34,7 +36,9 @@ class Maker {
     void mistake(const std::string& pointer, const std::string& text) {
         diagnostics_.add(scene_.document.diagnostic(pointer, text));
     }
-    const Json& json(const std::string& pointer) const { return scene_.resolved.at(Json::json_pointer(pointer)); }
+    const Json& json(const std::string& pointer) const {
+        return scene_.resolved.at(Json::json_pointer(pointer));
+    }
     const Parameters::Context& context() const { return context_; }
     void throw_if_errors() const { diagnostics_.throw_if_errors(); }
 
@@ -74,9 +78,28 @@ void make_outputs(Maker& maker, std::vector<ScheduledOutput>& outputs) {
     }
 }
 
+/// A field of velocity gradients, from differences of the velocity at the start: exact for linear fields.
+template <class S, class Velocity>
+void set_initial_gradient(Particles<S>& particles, Field field, const Velocity& velocity,
+                          typename S::Real cell_size) {
+    const double reach = 1e-3 * static_cast<double>(cell_size);
+    for (Index p = 0; p < particles.size(); ++p) {
+        Eigen::Vector3d x = Eigen::Vector3d::Zero();
+        for (int a = 0; a < S::dimension; ++a)
+            x[a] = static_cast<double>(particles.column(Field::position, a)[p]);
+        for (int a = 0; a < S::dimension; ++a) {
+            const Eigen::Vector3d step = reach * Eigen::Vector3d::Unit(a);
+            const Eigen::Vector3d slope = (velocity(x + step) - velocity(x - step)) / (2 * reach);
+            for (int c = 0; c < S::dimension; ++c)
+                particles.column(field, c + S::dimension * a)[p] = static_cast<typename S::Real>(slope[c]);
+        }
+    }
+}
+
 /// Outputs of fields that no body carries are mistakes, told before anything runs.
 template <class S>
-void check_observed(Maker& maker, const std::vector<ScheduledOutput>& outputs, const std::vector<Particles<S>>& bodies) {
+void check_observed(Maker& maker, const std::vector<ScheduledOutput>& outputs,
+                    const std::vector<Particles<S>>& bodies) {
     std::vector<std::string> known;
     for (const Particles<S>& particles : bodies)
         for (const std::string& name : field_names(particles)) known.push_back(name);
@@ -89,13 +112,15 @@ void check_observed(Maker& maker, const std::vector<ScheduledOutput>& outputs, c
                 return (body.empty() || body == particles.body()) && field_components(particles, name) > 0;
             };
             if (std::none_of(bodies.begin(), bodies.end(), carried))
-                maker.mistake("/outputs/" + std::to_string(k), "particles have no field \"" + name + "\"" + did_you_mean(name, known));
+                maker.mistake("/outputs/" + std::to_string(k),
+                              "particles have no field \"" + name + "\"" + did_you_mean(name, known));
         }
 }
 
 /// The fields that the outputs and checks of a scene look at.
 template <class S>
-void require_observed(const Maker& maker, const std::vector<ScheduledOutput>& outputs, Particles<S>& particles) {
+void require_observed(const Maker& maker, const std::vector<ScheduledOutput>& outputs,
+                      Particles<S>& particles) {
     for (const ScheduledOutput& scheduled : outputs) {
         particles.require(Field::id);
         const std::string body = scheduled.output->body();
@@ -108,7 +133,8 @@ void require_observed(const Maker& maker, const std::vector<ScheduledOutput>& ou
             if (check.contains("particles")) {
                 particles.require(Field::id);
                 particles.require(Field::initial_position);
-                if (const auto field = field_behind(check.at("particles").value("field", ""))) particles.require(*field);
+                if (const auto field = field_behind(check.at("particles").value("field", "")))
+                    particles.require(*field);
             }
 }
 
@@ -153,11 +179,13 @@ Assembly<S> assemble(const Scene& scene, const Registry& registry) {
         for (const auto& load : components.loads) load->declare(particles);
         require_observed(maker, result.outputs, particles);
         result.first_states.push_back(particles.field_count());
-        for (const StateVariable& variable : material->state()) particles.require(variable.name, 1, variable.initial);
+        for (const StateVariable& variable : material->state())
+            particles.require(variable.name, 1, variable.initial);
 
         maker.attempt(join_pointer("/bodies", name) + "/geometry", [&] {
             std::array<int, 3> per_cell{1, 1, 1};
-            for (std::size_t a = 0; a < S::dimension; ++a) per_cell[a] = body.at("particles_per_cell")[a].template get<int>();
+            for (std::size_t a = 0; a < S::dimension; ++a)
+                per_cell[a] = body.at("particles_per_cell")[a].template get<int>();
             std::vector<std::optional<Profile>> velocity;
             for (const Json& component : body.at("velocity"))
                 velocity.push_back(component.is_null() ? std::nullopt : std::optional<Profile>(component));
@@ -168,6 +196,9 @@ Assembly<S> assemble(const Scene& scene, const Registry& registry) {
                 return v;
             };
             seed<S>(particles, patch, *geometries[number], per_cell, material->density(), initial_velocity);
+            for (const Field field : {Field::velocity_gradient, Field::affine_velocity})
+                if (particles.has(field))
+                    set_initial_gradient(particles, field, initial_velocity, patch.cell_size()[0]);
         });
         result.bodies.push_back(std::move(particles));
         ++number;

@@ -10,7 +10,9 @@ class RunClock {
   public:
     RunClock() : start_(std::chrono::steady_clock::now()) {}
 
-    double wall_seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+    double wall_seconds() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
 
     double step_wall_seconds = 0;
     double step_cpu_seconds = 0;  ///< of all threads

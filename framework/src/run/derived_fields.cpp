@@ -31,11 +31,13 @@ const std::vector<Derived<S>>& derived_fields() {
     static const std::vector<Derived<S>> all = {
         {"displacement", S::dimension,
          [](const Particles<S>& particles, Index p, int c) {
-             return static_cast<double>(particles.column(Field::position, c)[p] - particles.column(Field::initial_position, c)[p]);
+             return static_cast<double>(particles.column(Field::position, c)[p] -
+                                        particles.column(Field::initial_position, c)[p]);
          }},
         {"density", 1,
          [](const Particles<S>& particles, Index p, int) {
-             return static_cast<double>(particles.column(Field::mass)[p] / particles.column(Field::volume)[p]);
+             return static_cast<double>(particles.column(Field::mass)[p] /
+                                        particles.column(Field::volume)[p]);
          }},
         {"pressure", 1,
          [](const Particles<S>& particles, Index p, int) { return -full_stress(particles, p).trace() / 3; }},
@@ -47,7 +49,9 @@ const std::vector<Derived<S>>& derived_fields() {
          }},
         {"kinetic_energy", 1,
          [](const Particles<S>& particles, Index p, int) {
-             return static_cast<double>(particles.column(Field::mass)[p] * particles.velocity(p).squaredNorm()) / 2;
+             return static_cast<double>(particles.column(Field::mass)[p] *
+                                        particles.velocity(p).squaredNorm()) /
+                    2;
          }},
     };
     return all;
@@ -113,14 +117,15 @@ std::vector<double> field_column(const Particles<S>& particles, const std::strin
     } else if (field == "id") {
         for (std::size_t k = 0; k < n; ++k) values[k] = particles.ids()[order[k]];
     } else if (const Derived<S>* derived = find_derived(particles, field)) {
-        for (std::size_t k = 0; k < n; ++k) values[k] = derived->value(particles, static_cast<Index>(order[k]), component);
+        for (std::size_t k = 0; k < n; ++k)
+            values[k] = derived->value(particles, static_cast<Index>(order[k]), component);
     }
     return values;
 }
 
-#define MATPOINT_INSTANTIATE(S)                                                        \
-    template std::vector<std::string> field_names(const Particles<S>&);                \
-    template int field_components(const Particles<S>&, const std::string&);            \
+#define MATPOINT_INSTANTIATE(S)                                             \
+    template std::vector<std::string> field_names(const Particles<S>&);     \
+    template int field_components(const Particles<S>&, const std::string&); \
     template std::vector<double> field_column(const Particles<S>&, const std::string&, int);
 MATPOINT_FOR_EACH_SPACE(MATPOINT_INSTANTIATE)
 

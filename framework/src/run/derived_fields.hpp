@@ -20,7 +20,8 @@ int field_components(const Particles<S>& particles, const std::string& field);
 template <class S>
 std::vector<double> field_column(const Particles<S>& particles, const std::string& field, int component);
 
-/// The carried field that a name needs, "displacement" -> initial_position; empty if none beyond the basic ones.
+/// The carried field that a name needs, "displacement" -> initial_position; empty if none beyond the basic
+/// ones.
 std::optional<Field> field_behind(const std::string& name);
 
 }  // namespace matpoint

@@ -18,49 +18,62 @@ std::string name(const Particles<S>& particles, Index p) {
     const auto place = static_cast<std::size_t>(p);
     const std::size_t number = particles.has(Field::id) ? particles.ids()[place] : place;
     const typename S::Vector x = particles.position(p);
-    return fmt::format("particle {} of body \"{}\" at ({:.6g})", number, particles.body(), fmt::join(x.data(), x.data() + S::dimension, ", "));
+    return fmt::format("particle {} of body \"{}\" at ({:.6g})", number, particles.body(),
+                       fmt::join(x.data(), x.data() + S::dimension, ", "));
 }
 
 }  // namespace
 
 template <class S>
-std::string describe_stray(const Moment& moment, const Particles<S>& particles, Index particle, const Patch<S>& patch) {
+std::string describe_stray(const Moment& moment, const Particles<S>& particles, Index particle,
+                           const Patch<S>& patch) {
     const auto low = patch.min(), high = patch.node_position(patch.cells());
     if (!particles.position(particle).allFinite())
         return at(moment) + name(particles, particle) +
-               " has no finite position. The step before was probably unstable: lower /time/cfl or /time/step.";
+               " has no finite position. The step before was probably unstable: lower /time/cfl or "
+               "/time/step.";
     return at(moment) + name(particles, particle) +
-           fmt::format(" left the grid, which reaches from ({:.6g}) to ({:.6g}). Enlarge /grid, close the face with a boundary "
-                       "condition, or set /health/off_grid to \"delete\" to let particles go.",
-                       fmt::join(low.data(), low.data() + S::dimension, ", "),
-                       fmt::join(high.data(), high.data() + S::dimension, ", "));
+           fmt::format(
+               " left the grid, which reaches from ({:.6g}) to ({:.6g}). Enlarge /grid, close the face with "
+               "a boundary "
+               "condition, or set /health/off_grid to \"delete\" to let particles go.",
+               fmt::join(low.data(), low.data() + S::dimension, ", "),
+               fmt::join(high.data(), high.data() + S::dimension, ", "));
 }
 
 template <class S>
-std::string describe_fault(const Moment& moment, const Particles<S>& particles, const Fault& fault, double stable_step) {
+std::string describe_fault(const Moment& moment, const Particles<S>& particles, const Fault& fault,
+                           double stable_step) {
     const std::string who = at(moment) + name(particles, fault.particle);
     const std::string step = fmt::format(
-        " The stable step was estimated as {:.4g} s: lower /time/cfl or /time/step, or choose another integrator or a smoother "
+        " The stable step was estimated as {:.4g} s: lower /time/cfl or /time/step, or choose another "
+        "integrator or a smoother "
         "shape function.",
         stable_step);
     if (fault.finite)
         return who +
-               fmt::format(" turned inside out: its volume changed by the factor {:.4g} in one step (J <= 0). Either the step is too "
-                           "long or the load crushes the material.",
-                           fault.volume_ratio) +
+               fmt::format(
+                   " turned inside out: its volume changed by the factor {:.4g} in one step (J <= 0). Either "
+                   "the step is too "
+                   "long or the load crushes the material.",
+                   fault.volume_ratio) +
                step;
     return who + " or one of its batch has a velocity or stress that is not finite." + step;
 }
 
-std::string describe_unstable_step(const Moment& moment, double stable_step, double wave_speed, double particle_speed) {
-    return at(moment) + fmt::format("the step is longer than the stable one, {:.4g} s = cell size / (wave speed {:.4g} m/s + particle "
-                                    "speed {:.4g} m/s). Lower /time/step or /time/cfl, or set /health/unstable_step to \"warn\" or "
-                                    "\"ignore\".",
-                                    stable_step, wave_speed, particle_speed);
+std::string describe_unstable_step(const Moment& moment, double stable_step, double wave_speed,
+                                   double particle_speed) {
+    return at(moment) + fmt::format(
+                            "the step is longer than the stable one, {:.4g} s = cell size / (wave speed "
+                            "{:.4g} m/s + particle "
+                            "speed {:.4g} m/s). Lower /time/step or /time/cfl, or set /health/unstable_step "
+                            "to \"warn\" or "
+                            "\"ignore\".",
+                            stable_step, wave_speed, particle_speed);
 }
 
-#define MATPOINT_INSTANTIATE(S)                                                                              \
-    template std::string describe_stray(const Moment&, const Particles<S>&, Index, const Patch<S>&);         \
+#define MATPOINT_INSTANTIATE(S)                                                                      \
+    template std::string describe_stray(const Moment&, const Particles<S>&, Index, const Patch<S>&); \
     template std::string describe_fault(const Moment&, const Particles<S>&, const Fault&, double);
 MATPOINT_FOR_EACH_SPACE(MATPOINT_INSTANTIATE)
 

@@ -14,9 +14,12 @@ struct Moment {
 };
 
 template <class S>
-std::string describe_stray(const Moment& moment, const Particles<S>& particles, Index particle, const Patch<S>& patch);
+std::string describe_stray(const Moment& moment, const Particles<S>& particles, Index particle,
+                           const Patch<S>& patch);
 template <class S>
-std::string describe_fault(const Moment& moment, const Particles<S>& particles, const Fault& fault, double stable_step);
-std::string describe_unstable_step(const Moment& moment, double stable_step, double wave_speed, double particle_speed);
+std::string describe_fault(const Moment& moment, const Particles<S>& particles, const Fault& fault,
+                           double stable_step);
+std::string describe_unstable_step(const Moment& moment, double stable_step, double wave_speed,
+                                   double particle_speed);
 
 }  // namespace matpoint

@@ -1,9 +1,11 @@
 #include <matpoint/parallel.hpp>
 
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace matpoint {
 
@@ -11,17 +13,24 @@ namespace {
 
 int thread_count = 1;
 
-tbb::task_arena& arena() {
-    static tbb::task_arena workers;
-    return workers;
+struct Workers {
+    tbb::task_arena arena;
+    std::optional<tbb::global_control> limit;  ///< lets there be more threads than cores, if asked for
+};
+
+Workers& workers() {
+    static Workers all;
+    return all;
 }
 
 }  // namespace
 
 void set_threads(int count) {
     thread_count = std::max(1, count);
-    arena().terminate();
-    arena().initialize(thread_count);
+    workers().limit.emplace(tbb::global_control::max_allowed_parallelism,
+                            static_cast<std::size_t>(thread_count));
+    workers().arena.terminate();
+    workers().arena.initialize(thread_count);
 }
 
 int threads() {
@@ -33,7 +42,7 @@ void parallel_for(Index count, const std::function<void(Index)>& body) {
         for (Index i = 0; i < count; ++i) body(i);
         return;
     }
-    arena().execute([&] { tbb::parallel_for(Index{0}, count, body); });
+    workers().arena.execute([&] { tbb::parallel_for(Index{0}, count, body); });
 }
 
 }  // namespace matpoint

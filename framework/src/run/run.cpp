@@ -33,7 +33,8 @@ void write_json(const fs::path& file, const Json& json) {
 /// When something that repeats is next due.
 class Schedule {
   public:
-    Schedule(double every, long every_steps, double time, long step) : every_(every), every_steps_(every_steps) {
+    Schedule(double every, long every_steps, double time, long step)
+        : every_(every), every_steps_(every_steps) {
         if (every_ > 0) next_ = std::floor(time / every_ * (1 + 1e-12)) + 1;
         if (every_steps_ > 0) next_step_ = (step / every_steps_ + 1) * every_steps_;
     }
@@ -62,14 +63,18 @@ class Schedule {
 class Run {
   public:
     Run(const Scene& scene, PluginCatalogue& catalogue, const RunOptions& options)
-        : scene_(scene), catalogue_(catalogue), options_(options), simulation_(Simulation::create(scene, catalogue)) {
+        : scene_(scene),
+          catalogue_(catalogue),
+          options_(options),
+          simulation_(Simulation::create(scene, catalogue)) {
         if (options.resume) simulation_->restore(*options.resume);
         for (const ScheduledOutput& output : simulation_->outputs())
-            schedules_.emplace_back(output.every, output.every_steps, simulation_->time(), simulation_->step());
+            schedules_.emplace_back(output.every, output.every_steps, simulation_->time(),
+                                    simulation_->step());
         if (scene.resolved.contains("checkpoint")) {
             const Json& checkpoint = scene.resolved.at("checkpoint");
-            checkpoints_.emplace(checkpoint.value("every", 0.0), checkpoint.value("every_steps", 0L), simulation_->time(),
-                                 simulation_->step());
+            checkpoints_.emplace(checkpoint.value("every", 0.0), checkpoint.value("every_steps", 0L),
+                                 simulation_->time(), simulation_->step());
             keep_ = checkpoint.at("keep").get<int>();
         }
     }
@@ -114,7 +119,8 @@ class Run {
     void steps(RunResult& result, Progress& progress) {
         double refuge_due = refuge_interval;
         while (!simulation_->finished()) {
-            if (signals_received() || (options_.stop_after_steps && simulation_->step() >= *options_.stop_after_steps)) {
+            if (signals_received() ||
+                (options_.stop_after_steps && simulation_->step() >= *options_.stop_after_steps)) {
                 result.status = RunStatus::interrupted;
                 result.reason = "interrupted; go on with: matpoint restart " + save().string();
                 return;
@@ -127,7 +133,8 @@ class Run {
             clock_.particle_steps += static_cast<double>(simulation_->particle_count());
             const auto& outputs = simulation_->outputs();
             for (std::size_t k = 0; k < outputs.size(); ++k)
-                if (schedules_[k].due(simulation_->time(), simulation_->step())) outputs[k].output->write(*simulation_);
+                if (schedules_[k].due(simulation_->time(), simulation_->step()))
+                    outputs[k].output->write(*simulation_);
             if (checkpoints_ && checkpoints_->due(simulation_->time(), simulation_->step())) {
                 save();
                 prune_checkpoints(checkpoint_folder(), keep_);
@@ -180,7 +187,8 @@ class Run {
         for (const auto& entry : fs::directory_iterator(checkpoint_folder(), missing)) {
             if (entry.path().extension() != ".h5") continue;
             CheckpointData candidate = read_checkpoint(entry.path());
-            if (candidate.step <= before && (!latest || candidate.step > latest->step)) latest = std::move(candidate);
+            if (candidate.step <= before && (!latest || candidate.step > latest->step))
+                latest = std::move(candidate);
         }
         return latest;
     }
@@ -223,8 +231,9 @@ RunResult run_scene(const Scene& scene, PluginCatalogue& catalogue, const RunOpt
 }
 
 Scene scene_of(const CheckpointData& checkpoint, PluginCatalogue& catalogue) {
-    return resolve_scene(parse_document(checkpoint.scene, std::filesystem::path(checkpoint.folder) / "checkpoint.json"),
-                         catalogue);
+    return resolve_scene(
+        parse_document(checkpoint.scene, std::filesystem::path(checkpoint.folder) / "checkpoint.json"),
+        catalogue);
 }
 
 }  // namespace matpoint

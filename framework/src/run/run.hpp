@@ -9,20 +9,20 @@
 namespace matpoint {
 
 struct RunOptions {
-    std::filesystem::path output;                ///< folder for results; made if missing
-    bool progress = false;                       ///< a progress line on stderr (the CLI sets it on a terminal)
-    bool quiet = false;                          ///< no closing table on stdout
-    std::optional<CheckpointData> resume{};      ///< continue from this state
-    std::optional<long> stop_after_steps{};      ///< stop as if interrupted after this many steps in all (tests)
+    std::filesystem::path output;            ///< folder for results; made if missing
+    bool progress = false;                   ///< a progress line on stderr (the CLI sets it on a terminal)
+    bool quiet = false;                      ///< no closing table on stdout
+    std::optional<CheckpointData> resume{};  ///< continue from this state
+    std::optional<long> stop_after_steps{};  ///< stop as if interrupted after this many steps in all (tests)
 };
 
 enum class RunStatus { completed, broke_down, interrupted, unfinished };
 
 struct RunResult {
     RunStatus status = RunStatus::completed;
-    std::string reason{};             ///< why it did not complete
-    Json summary{};                   ///< what summary.json holds
-    CheckpointData final_state{};     ///< state at the end
+    std::string reason{};          ///< why it did not complete
+    Json summary{};                ///< what summary.json holds
+    CheckpointData final_state{};  ///< state at the end
     int exit_status() const { return status == RunStatus::completed ? 0 : 1; }
 };
 

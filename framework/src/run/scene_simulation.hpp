@@ -39,8 +39,11 @@ class SceneSimulation final : public Simulation {
     std::size_t particle_count(const std::string& body) const override;
     std::vector<std::string> fields(const std::string& body) const override;
     int components(const std::string& body, const std::string& field) const override;
-    std::vector<double> column(const std::string& body, const std::string& field, int component) const override;
-    Energies energies() const override { return {engine_.tally().kinetic, numbers_.strain, numbers_.external}; }
+    std::vector<double> column(const std::string& body, const std::string& field,
+                               int component) const override;
+    Energies energies() const override {
+        return {engine_.tally().kinetic, numbers_.strain, numbers_.external};
+    }
     double mass() const override;
     std::array<double, 3> momentum() const override { return engine_.tally().momentum; }
     std::array<double, 3> reaction(const std::string& boundary_condition) const override;
@@ -48,12 +51,12 @@ class SceneSimulation final : public Simulation {
   private:
     /// What is added up over the run, and what the next step needs beyond the particles.
     struct Numbers {
-        double strain = 0, external = 0;                    // J
+        double strain = 0, external = 0;  // J
         double first_energy = 0, largest_energy = 0, energy_drift = 0;
-        double first_mass = 0, lost_mass = 0;               // kg
-        std::array<double, 3> given_momentum{};             // kg m/s, at the start and by all impulses since
+        double first_mass = 0, lost_mass = 0;    // kg
+        std::array<double, 3> given_momentum{};  // kg m/s, at the start and by all impulses since
         double largest_momentum = 0, momentum_drift = 0;
-        double wave_speed = 0, particle_speed = 0;          // m/s
+        double wave_speed = 0, particle_speed = 0;  // m/s
         /// Every number by name, for checkpoints.
         template <class Numbers_, class Visitor>
         static void visit(Numbers_& n, const Visitor& visitor);

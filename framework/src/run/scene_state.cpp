@@ -28,7 +28,8 @@ std::size_t SceneSimulation<S>::particle_count(const std::string& name) const {
 template <class S>
 std::size_t SceneSimulation<S>::particle_count() const {
     std::size_t count = 0;
-    for (const Particles<S>& particles : assembly_.bodies) count += static_cast<std::size_t>(particles.size());
+    for (const Particles<S>& particles : assembly_.bodies)
+        count += static_cast<std::size_t>(particles.size());
     return count;
 }
 
@@ -43,11 +44,13 @@ int SceneSimulation<S>::components(const std::string& name, const std::string& f
 }
 
 template <class S>
-std::vector<double> SceneSimulation<S>::column(const std::string& name, const std::string& field, int component) const {
+std::vector<double> SceneSimulation<S>::column(const std::string& name, const std::string& field,
+                                               int component) const {
     const Particles<S>& particles = body(name);
     const int components = field_components(particles, field);
     if (component < 0 || component >= components)
-        throw std::invalid_argument(fmt::format("particles of body \"{}\" have no component {} of \"{}\"", name, component, field));
+        throw std::invalid_argument(
+            fmt::format("particles of body \"{}\" have no component {} of \"{}\"", name, component, field));
     return field_column(particles, field, component);
 }
 
@@ -104,7 +107,8 @@ template <class S>
 std::vector<std::string> SceneSimulation<S>::node_fields() const {
     std::vector<std::string> names;
     for (int f = 0; f < matpoint::node_fields; ++f)
-        if (const auto field = static_cast<NodeField>(f); engine_.patch().has(field)) names.emplace_back(node_field_name(field));
+        if (const auto field = static_cast<NodeField>(f); engine_.patch().has(field))
+            names.emplace_back(node_field_name(field));
     return names;
 }
 
@@ -134,7 +138,8 @@ CheckpointData SceneSimulation<S>::state() const {
     data.time = time_;
     data.plugins = plugins_;
     data.numbers["last_time_step"] = last_time_step_;
-    Numbers::visit(numbers_, [&](const std::string& name, const double& value) { data.numbers[name] = value; });
+    Numbers::visit(numbers_,
+                   [&](const std::string& name, const double& value) { data.numbers[name] = value; });
     for (std::size_t b = 0; b < assembly_.bodies.size(); ++b) {
         const Particles<S>& particles = assembly_.bodies[b];
         CheckpointData::Body body;
@@ -143,7 +148,8 @@ CheckpointData SceneSimulation<S>::state() const {
         for (int slot = 0; slot < particles.field_count(); ++slot)
             for (int c = 0; c < particles.components(slot); ++c) {
                 const auto* column = particles.column(slot, c);
-                body.columns.push_back({particles.name(slot), c, std::vector(column, column + particles.size())});
+                body.columns.push_back(
+                    {particles.name(slot), c, std::vector(column, column + particles.size())});
             }
         body.ids = particles.ids();
         for (const BlockRange& range : engine_.ordering().ranges(b)) {
@@ -164,16 +170,19 @@ void SceneSimulation<S>::restore(const CheckpointData& data) {
     Numbers::visit(numbers_, [&](const std::string& name, double& value) { value = data.numbers.at(name); });
     for (std::size_t b = 0; b < assembly_.bodies.size(); ++b) {
         Particles<S>& particles = assembly_.bodies[b];
-        const auto body = std::find_if(data.bodies.begin(), data.bodies.end(),
-                                       [&](const CheckpointData::Body& candidate) { return candidate.name == particles.body(); });
-        if (body == data.bodies.end()) throw CheckpointError("the checkpoint has no body \"" + particles.body() + "\"");
+        const auto body = std::find_if(
+            data.bodies.begin(), data.bodies.end(),
+            [&](const CheckpointData::Body& candidate) { return candidate.name == particles.body(); });
+        if (body == data.bodies.end())
+            throw CheckpointError("the checkpoint has no body \"" + particles.body() + "\"");
         particles.resize(static_cast<Index>(body->size));
         for (const CheckpointData::Column& column : body->columns) {
             const int slot = particles.slot(column.field);
             const auto* values = std::get_if<std::vector<Real>>(&column.values);
             if (slot < 0) continue;  // an output that is no longer there asked for it
             if (!values || column.component >= particles.components(slot))
-                throw CheckpointError("field \"" + column.field + "\" in the checkpoint is of another space or precision");
+                throw CheckpointError("field \"" + column.field +
+                                      "\" in the checkpoint is of another space or precision");
             std::copy(values->begin(), values->end(), particles.column(slot, column.component));
         }
         if (particles.has(Field::id) && !body->ids.empty()) particles.ids() = body->ids;

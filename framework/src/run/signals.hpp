@@ -13,7 +13,8 @@ class SignalGuard {
     SignalGuard& operator=(const SignalGuard&) = delete;
 
   private:
-    struct sigaction old_interrupt_ {}, old_terminate_ {};
+    struct sigaction old_interrupt_ {
+    }, old_terminate_{};
 };
 
 /// Whether one has come since the guard was made.

@@ -17,17 +17,21 @@ std::size_t peak_memory_bytes() {
 
 const char* name(RunStatus status) {
     switch (status) {
-        case RunStatus::completed: return "completed";
-        case RunStatus::broke_down: return "broke_down";
+        case RunStatus::completed:
+            return "completed";
+        case RunStatus::broke_down:
+            return "broke_down";
         case RunStatus::interrupted:
-        case RunStatus::unfinished: break;
+        case RunStatus::unfinished:
+            break;
     }
     return "interrupted";
 }
 
 }  // namespace
 
-Json summarise(const Simulation& simulation, const PluginCatalogue& catalogue, const RunClock& clock, const RunResult& result) {
+Json summarise(const Simulation& simulation, const PluginCatalogue& catalogue, const RunClock& clock,
+               const RunResult& result) {
     const Conservation conservation = simulation.conservation();
     const Energies energies = simulation.energies();
     const auto momentum = simulation.momentum();
@@ -39,7 +43,8 @@ Json summarise(const Simulation& simulation, const PluginCatalogue& catalogue, c
         {"time", simulation.time()},
         {"wall_seconds", clock.step_wall_seconds},
         {"cpu_seconds", clock.step_cpu_seconds},
-        {"nanoseconds_per_particle_step", clock.particle_steps > 0 ? 1e9 * clock.step_wall_seconds / clock.particle_steps : 0.0},
+        {"nanoseconds_per_particle_step",
+         clock.particle_steps > 0 ? 1e9 * clock.step_wall_seconds / clock.particle_steps : 0.0},
         {"threads", threads()},
         {"bytes_per_particle", simulation.bytes_per_particle()},
         {"peak_memory_bytes", peak_memory_bytes()},
@@ -53,7 +58,8 @@ Json summarise(const Simulation& simulation, const PluginCatalogue& catalogue, c
           {"lost_mass", conservation.lost_mass}}},
         {"final",
          {{"mass", simulation.mass()},
-          {"momentum", std::vector<double>(momentum.begin(), momentum.begin() + simulation.space().dimension())},
+          {"momentum",
+           std::vector<double>(momentum.begin(), momentum.begin() + simulation.space().dimension())},
           {"kinetic_energy", energies.kinetic},
           {"strain_energy", energies.strain},
           {"external_work", energies.external}}},
@@ -74,18 +80,24 @@ void print_closing_table(const Simulation& simulation, const RunResult& result) 
     const Json& s = result.summary;
     const auto& final_values = s.at("final");
     const auto& conservation = s.at("conservation");
-    fmt::print("{}: {} steps to t = {:.6g} s, {} particles, {:.3g} s ({:.1f} ns per particle and step, {} B per particle)\n",
-               s.at("status").get<std::string>(), simulation.step(), simulation.time(), simulation.particle_count(),
-               s.at("wall_seconds").get<double>(), s.at("nanoseconds_per_particle_step").get<double>(), simulation.bytes_per_particle());
+    fmt::print(
+        "{}: {} steps to t = {:.6g} s, {} particles, {:.3g} s ({:.1f} ns per particle and step, {} B per "
+        "particle)\n",
+        s.at("status").get<std::string>(), simulation.step(), simulation.time(), simulation.particle_count(),
+        s.at("wall_seconds").get<double>(), s.at("nanoseconds_per_particle_step").get<double>(),
+        simulation.bytes_per_particle());
     fmt::print("  {:<14} {:>14} {:>12}\n", "", "at the end", "drift");
-    fmt::print("  {:<14} {:>14.6g} {:>12.2e}\n", "mass", final_values.at("mass").get<double>(), conservation.at("mass_drift").get<double>());
+    fmt::print("  {:<14} {:>14.6g} {:>12.2e}\n", "mass", final_values.at("mass").get<double>(),
+               conservation.at("mass_drift").get<double>());
     const auto momentum = simulation.momentum();
     for (int a = 0; a < simulation.space().dimension(); ++a)
-        fmt::print("  {:<14} {:>14.6g} {:>12}\n", fmt::format("momentum {}", "xyz"[a]), momentum[static_cast<std::size_t>(a)],
+        fmt::print("  {:<14} {:>14.6g} {:>12}\n", fmt::format("momentum {}", "xyz"[a]),
+                   momentum[static_cast<std::size_t>(a)],
                    a == 0 ? fmt::format("{:.2e}", conservation.at("momentum_drift").get<double>()) : "");
     const Energies e = simulation.energies();
-    fmt::print("  {:<14} {:>14.6g}\n  {:<14} {:>14.6g}\n  {:<14} {:>14.6g}\n  {:<14} {:>14.6g} {:>12.2e}\n", "kinetic", e.kinetic,
-               "strain", e.strain, "external", e.external, "energy balance", e.total(), conservation.at("energy_drift").get<double>());
+    fmt::print("  {:<14} {:>14.6g}\n  {:<14} {:>14.6g}\n  {:<14} {:>14.6g}\n  {:<14} {:>14.6g} {:>12.2e}\n",
+               "kinetic", e.kinetic, "strain", e.strain, "external", e.external, "energy balance", e.total(),
+               conservation.at("energy_drift").get<double>());
 }
 
 }  // namespace matpoint

@@ -6,7 +6,8 @@
 namespace matpoint {
 
 /// What summary.json holds.
-Json summarise(const Simulation& simulation, const PluginCatalogue& catalogue, const RunClock& clock, const RunResult& result);
+Json summarise(const Simulation& simulation, const PluginCatalogue& catalogue, const RunClock& clock,
+               const RunResult& result);
 
 /// A resolved scene with the plugins, and their versions, that it was run with.
 Json with_plugins(Json resolved, const PluginCatalogue& catalogue);

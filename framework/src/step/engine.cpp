@@ -24,7 +24,8 @@ Engine<S>::Engine(Components<S> components, std::vector<Particles<S>>& bodies, s
     for (const NodeField field : components_.integrator->node_fields()) patch_.require(field);
     for (const Particles<S>& particles : bodies_) {
         const Real* mass = particles.column(Field::mass);
-        for (Index p = 0; p < particles.size(); ++p) largest_mass_ = std::max(largest_mass_, static_cast<double>(mass[p]));
+        for (Index p = 0; p < particles.size(); ++p)
+            largest_mass_ = std::max(largest_mass_, static_cast<double>(mass[p]));
     }
     tally_.reactions.resize(walls_.conditions().size());
 }
@@ -57,20 +58,23 @@ Index Engine<S>::node_tasks() const {
 }
 
 template <class S>
-int Engine<S>::affine_slot(const Particles<S>& particles) const {
+int Engine<S>::affine_slot(const Particles<S>& particles, NodeField momentum) const {
     const auto field = components_.transfer->affine();
-    return field ? particles.slot(*field) : -1;
+    // L is a step older than the velocity that is projected anew: only what came with it extends it.
+    const bool stale = field == Field::velocity_gradient && momentum == NodeField::remapped_velocity;
+    return field && !stale ? particles.slot(*field) : -1;
 }
 
 template <class S>
 void Engine<S>::scatter(const Scatter& request) {
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
         Scatter own = request;
-        own.affine_slot = request.momentum ? affine_slot(bodies_[b]) : -1;
+        own.affine_slot = request.momentum ? affine_slot(bodies_[b], *request.momentum) : -1;
         const auto& ranges = ordering_.ranges(b);
         for (const std::vector<Index>& colour : ordering_.colours(b))
             parallel_for(static_cast<Index>(colour.size()), [&](Index k) {
-                const BlockRange& range = ranges[static_cast<std::size_t>(colour[static_cast<std::size_t>(k)])];
+                const BlockRange& range =
+                    ranges[static_cast<std::size_t>(colour[static_cast<std::size_t>(k)])];
                 components_.shape->scatter(patch_, bodies_[b], range.begin, range.end, own);
             });
     }
@@ -102,7 +106,8 @@ void Engine<S>::project(typename Phases<S>::Projection projection) {
                 std::copy_n(patch_.column(NodeField::velocity, c), patch_.node_count(),
                             patch_.column(NodeField::acceleration, c));
         finish_velocity(NodeField::velocity, time_);
-        if (share > 0) add_reactions(NodeField::acceleration, NodeField::velocity, static_cast<double>(share), time_);
+        if (share > 0)
+            add_reactions(NodeField::acceleration, NodeField::velocity, static_cast<double>(share), time_);
     }
     if (projection.internal_force) walls_.fold_force(patch_, NodeField::force);
 }
@@ -130,7 +135,8 @@ void Engine<S>::finish_velocity(NodeField field, double time) {
         Real* v = patch_.column(field, c);
         parallel_for(node_tasks(), [&](Index k) {
             const Index end = std::min(patch_.node_count(), (k + 1) * nodes_per_task);
-            for (Index i = k * nodes_per_task; i < end; ++i) v[i] = mass[i] > cutoff ? v[i] / mass[i] : Real(0);
+            for (Index i = k * nodes_per_task; i < end; ++i)
+                v[i] = mass[i] > cutoff ? v[i] / mass[i] : Real(0);
         });
     }
     walls_.constrain(patch_, field, time);
@@ -178,10 +184,12 @@ void Engine<S>::add_load_work(Real dt, Real factor) {
             const Index end = std::min(patch_.node_count(), (k + 1) * nodes_per_task);
             double sum = 0;
             for (Index i = k * nodes_per_task; i < end; ++i)
-                if (inside_[static_cast<std::size_t>(i)]) sum += static_cast<double>(external[i] * (v[i] - a[i] * dt / 2));
+                if (inside_[static_cast<std::size_t>(i)])
+                    sum += static_cast<double>(external[i] * (v[i] - a[i] * dt / 2));
             node_sums_[static_cast<std::size_t>(k)] += sum;
         });
-        tally_.impulse[static_cast<std::size_t>(c)] += static_cast<double>(factor) * load_force_[static_cast<std::size_t>(c)] * dt_;
+        tally_.impulse[static_cast<std::size_t>(c)] +=
+            static_cast<double>(factor) * load_force_[static_cast<std::size_t>(c)] * dt_;
     }
     for (const double sum : node_sums_) tally_.external_work += static_cast<double>(factor) * sum * dt_;
 }

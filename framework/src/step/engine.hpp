@@ -29,20 +29,20 @@ struct Components {
 struct Fault {
     std::size_t body;
     Index particle;
-    bool finite;         ///< true: its volume turned to zero or below; false: not finite
-    double volume_ratio; ///< of the step
+    bool finite;          ///< true: its volume turned to zero or below; false: not finite
+    double volume_ratio;  ///< of the step
 };
 
 /// What a step added up.
 struct Tally {
-    double kinetic = 0;                       ///< J, at the end of the step
-    double strain_work = 0;                   ///< J, done by the stress in the step
-    double external_work = 0;                 ///< J, by loads and moving boundaries in the step
-    std::array<double, 3> momentum{};         ///< kg m/s, at the end of the step
-    double momentum_scale = 0;                ///< sum m |v|
-    std::array<double, 3> impulse{};          ///< N s, of loads and boundaries in the step
-    double largest_speed = 0;                 ///< of a particle, m/s
-    double largest_wave_speed = 0;            ///< m/s
+    double kinetic = 0;                            ///< J, at the end of the step
+    double strain_work = 0;                        ///< J, done by the stress in the step
+    double external_work = 0;                      ///< J, by loads and moving boundaries in the step
+    std::array<double, 3> momentum{};              ///< kg m/s, at the end of the step
+    double momentum_scale = 0;                     ///< sum m |v|
+    std::array<double, 3> impulse{};               ///< N s, of loads and boundaries in the step
+    double largest_speed = 0;                      ///< of a particle, m/s
+    double largest_wave_speed = 0;                 ///< m/s
     std::vector<std::array<double, 3>> reactions;  ///< N, by boundary condition
 };
 
@@ -90,7 +90,7 @@ class Engine final : public Phases<S> {
     class BatchUpdate;
 
     void scatter(const Scatter& request);
-    int affine_slot(const Particles<S>& particles) const;
+    int affine_slot(const Particles<S>& particles, NodeField momentum) const;
     void apply_loads();
     /// Momentum to velocity, zero where there is hardly any mass; then walls, at `time`.
     void finish_velocity(NodeField field, double time);
@@ -107,10 +107,10 @@ class Engine final : public Phases<S> {
     Walls<S> walls_;
     bool located_ = false;
     double largest_mass_ = 0;
-    std::vector<char> inside_;                 ///< by node: on or within the grid's faces
-    std::array<double, 3> load_force_{};       ///< N, sum of the external forces
-    std::vector<double> node_sums_;            ///< by task over nodes
-    std::vector<Partial> partials_;            ///< by task over particles
+    std::vector<char> inside_;            ///< by node: on or within the grid's faces
+    std::array<double, 3> load_force_{};  ///< N, sum of the external forces
+    std::vector<double> node_sums_;       ///< by task over nodes
+    std::vector<Partial> partials_;       ///< by task over particles
 
     long number_ = 0;
     double time_ = 0, dt_ = 0;

@@ -25,7 +25,8 @@ std::vector<Stray> Ordering<S>::strays(const Patch<S>& patch, const std::vector<
                 const auto low = patch.min()[a];
                 const auto high = patch.node_position(patch.cells())[a];
                 for (Index p = k * chunk; p < end; ++p)
-                    if (!(x[p] >= low && x[p] <= high)) by_chunk[static_cast<std::size_t>(k)].push_back({b, p});
+                    if (!(x[p] >= low && x[p] <= high))
+                        by_chunk[static_cast<std::size_t>(k)].push_back({b, p});
             }
         });
         for (const auto& part : by_chunk) found.insert(found.end(), part.begin(), part.end());
@@ -35,13 +36,16 @@ std::vector<Stray> Ordering<S>::strays(const Patch<S>& patch, const std::vector<
     };
     std::sort(found.begin(), found.end(), less);
     found.erase(std::unique(found.begin(), found.end(),
-                            [](const Stray& a, const Stray& b) { return a.body == b.body && a.particle == b.particle; }),
+                            [](const Stray& a, const Stray& b) {
+                                return a.body == b.body && a.particle == b.particle;
+                            }),
                 found.end());
     return found;
 }
 
 template <class S>
-bool Ordering<S>::update(const Patch<S>& patch, std::vector<Particles<S>>& bodies, const ShapeFunction<S>& shape) {
+bool Ordering<S>::update(const Patch<S>& patch, std::vector<Particles<S>>& bodies,
+                         const ShapeFunction<S>& shape) {
     bool sorted = false;
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         const Index covered = ranges_[b].empty() ? 0 : ranges_[b].back().end;
@@ -68,7 +72,8 @@ bool Ordering<S>::strayed(const Patch<S>& patch, const Particles<S>& particles, 
             for (Index p = begin; p < end; ++p)
                 for (std::size_t a = 0; a < S::dimension; ++a) {
                     // Cells counted from the block's first, which stores node 4 block - 1.
-                    const int cell = base[static_cast<std::size_t>(p - begin)][a] + 1 - Patch<S>::block_edge * block[a];
+                    const int cell =
+                        base[static_cast<std::size_t>(p - begin)][a] + 1 - Patch<S>::block_edge * block[a];
                     outside |= cell < -1 || cell > Patch<S>::block_edge;
                 }
             if (outside) found = true;
@@ -78,7 +83,8 @@ bool Ordering<S>::strayed(const Patch<S>& patch, const Particles<S>& particles, 
 }
 
 template <class S>
-void Ordering<S>::sort(const Patch<S>& patch, Particles<S>& particles, Ranges& ranges, const ShapeFunction<S>& shape) {
+void Ordering<S>::sort(const Patch<S>& patch, Particles<S>& particles, Ranges& ranges,
+                       const ShapeFunction<S>& shape) {
     const Index n = particles.size();
     // Block, then base node within the block, then present place: particles of one stencil lie together.
     std::vector<std::pair<std::int64_t, Index>> keys(static_cast<std::size_t>(n));
@@ -95,7 +101,8 @@ void Ordering<S>::sort(const Patch<S>& patch, Particles<S>& particles, Ranges& r
                 block[i] = Patch<S>::block_of(node[i]);
                 local = local * Patch<S>::block_edge + ((node[i] + 1) & (Patch<S>::block_edge - 1));
             }
-            keys[static_cast<std::size_t>(p)] = {std::int64_t{patch.block_number(block)} * Patch<S>::block_nodes + local, p};
+            keys[static_cast<std::size_t>(p)] = {
+                std::int64_t{patch.block_number(block)} * Patch<S>::block_nodes + local, p};
         }
     });
     std::sort(keys.begin(), keys.end());
@@ -105,7 +112,8 @@ void Ordering<S>::sort(const Patch<S>& patch, Particles<S>& particles, Ranges& r
     for (std::size_t k = 0; k < keys.size(); ++k) {
         order[k] = keys[k].second;
         const int block = static_cast<int>(keys[k].first / Patch<S>::block_nodes);
-        if (ranges.empty() || ranges.back().block != block) ranges.push_back({block, static_cast<Index>(k), 0});
+        if (ranges.empty() || ranges.back().block != block)
+            ranges.push_back({block, static_cast<Index>(k), 0});
         ranges.back().end = static_cast<Index>(k) + 1;
     }
     particles.permute(order);
@@ -119,7 +127,8 @@ void Ordering<S>::colour(const Patch<S>& patch, std::size_t body) {
     for (std::size_t r = 0; r < ranges_[body].size(); ++r) {
         const auto block = patch.block_coordinates(ranges_[body][r].block);
         std::size_t number = 0;
-        for (std::size_t a = S::dimension; a-- > 0;) number = number * 3 + static_cast<std::size_t>(block[a] % 3);
+        for (std::size_t a = S::dimension; a-- > 0;)
+            number = number * 3 + static_cast<std::size_t>(block[a] % 3);
         colours_[body][number].push_back(static_cast<Index>(r));
     }
 }

@@ -13,8 +13,14 @@ class Engine<S>::BatchUpdate final : public GatherSink<S> {
   public:
     BatchUpdate(Particles<S>& particles, std::size_t body, const Material<S>& material, int first_state,
                 const Transfer<S>& transfer, typename Phases<S>::Update what, Real dt, Partial& sums)
-        : particles_(particles), body_(body), material_(material), first_state_(first_state), transfer_(transfer),
-          what_(what), dt_(dt), sums_(sums) {}
+        : particles_(particles),
+          body_(body),
+          material_(material),
+          first_state_(first_state),
+          transfer_(transfer),
+          what_(what),
+          dt_(dt),
+          sums_(sums) {}
 
     void receive(Index begin, int count, const Gathered<S>& gathered) override {
         const ParticleBatch<S> batch(particles_, begin, begin + count, gathered, first_state_);
@@ -35,7 +41,8 @@ class Engine<S>::BatchUpdate final : public GatherSink<S> {
             const double speed = std::sqrt(speed_squared);
             sums_.kinetic += m * speed_squared / 2;
             sums_.momentum_scale += m * speed;
-            for (int a = 0; a < S::dimension; ++a) sums_.momentum[static_cast<std::size_t>(a)] += m * static_cast<double>(v[a]);
+            for (int a = 0; a < S::dimension; ++a)
+                sums_.momentum[static_cast<std::size_t>(a)] += m * static_cast<double>(v[a]);
             sums_.largest_speed = std::max(sums_.largest_speed, speed);
             if (!std::isfinite(speed)) report(p, false, 0);
         }
@@ -72,7 +79,8 @@ class Engine<S>::BatchUpdate final : public GatherSink<S> {
                 continue;
             }
             volume[p] *= ratio;
-            if (deforms) ParticleBatch<S>::store_deformation(particles_, p, increment * batch.deformation_gradient(p));
+            if (deforms)
+                ParticleBatch<S>::store_deformation(particles_, p, increment * batch.deformation_gradient(p));
             if (keeps_gradient)
                 for (int c = 0; c < S::dimension * S::dimension; ++c)
                     particles_.column(Field::velocity_gradient, c)[p] = gradient.plane.data()[c];
@@ -131,11 +139,11 @@ void Engine<S>::measure() {
     static const Gathered<S> nothing{};
     partials_.assign(bodies_.size(), {});
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
-        BatchUpdate sums(bodies_[b], b, *components_.materials[b], first_states_[b], *components_.transfer, {}, Real(0),
-                         partials_[b]);
+        BatchUpdate sums(bodies_[b], b, *components_.materials[b], first_states_[b], *components_.transfer,
+                         {}, Real(0), partials_[b]);
         for (Index begin = 0; begin < bodies_[b].size(); begin += batch_size) {
-            const ParticleBatch<S> batch(bodies_[b], begin, std::min(bodies_[b].size(), begin + batch_size), nothing,
-                                         first_states_[b]);
+            const ParticleBatch<S> batch(bodies_[b], begin, std::min(bodies_[b].size(), begin + batch_size),
+                                         nothing, first_states_[b]);
             sums.add_motion(batch);
             sums.add_wave_speed(batch);
         }
@@ -165,8 +173,8 @@ void Engine<S>::collect(bool velocity, bool stress) {
     }
 }
 
-#define MATPOINT_INSTANTIATE(S)                                                      \
-    template void Engine<S>::update(typename Phases<S>::Update, typename S::Real);   \
+#define MATPOINT_INSTANTIATE(S)                                                    \
+    template void Engine<S>::update(typename Phases<S>::Update, typename S::Real); \
     template void Engine<S>::measure();
 MATPOINT_FOR_EACH_SPACE(MATPOINT_INSTANTIATE)
 

@@ -53,13 +53,15 @@ void Walls<S>::locate(const Patch<S>& patch) {
             bool concerned = true;
             for (std::size_t a = 0; a < S::dimension; ++a) {
                 const int margin = a > axis ? 1 : 0;
-                concerned = concerned && (a == axis || (node[a] >= -margin && node[a] <= patch.cells()[a] + margin));
+                concerned =
+                    concerned && (a == axis || (node[a] >= -margin && node[a] <= patch.cells()[a] + margin));
             }
             if (!concerned) continue;
             Coordinates edge = node, inner = node;
             edge[axis] = face.side == 0 ? 0 : last;
             inner[axis] = face.side == 0 ? 1 : last - 1;
-            const Link link{index, patch.node_index(edge), patch.node_index(inner), patch.node_position(edge)};
+            const Link link{index, patch.node_index(edge), patch.node_index(inner),
+                            patch.node_position(edge)};
             if (link.edge >= 0 && link.inner >= 0) face.links.push_back(link);
         }
         if (!patch.inside(node)) continue;
@@ -174,13 +176,15 @@ void Walls<S>::fill(Patch<S>& patch, NodeField field, const Value& prescribed) c
 
 template <class S>
 void Walls<S>::fill_velocity(Patch<S>& patch, NodeField field, double time) const {
-    fill(patch, field, [&](int condition, int c, const Vector& x) { return velocity(condition, c, x, time); });
+    fill(patch, field,
+         [&](int condition, int c, const Vector& x) { return velocity(condition, c, x, time); });
 }
 
 template <class S>
 void Walls<S>::fill_acceleration(Patch<S>& patch, double time, double dt) const {
     fill(patch, NodeField::acceleration, [&](int condition, int c, const Vector& x) {
-        return (velocity(condition, c, x, time + dt) - velocity(condition, c, x, time)) / static_cast<Real>(dt);
+        return (velocity(condition, c, x, time + dt) - velocity(condition, c, x, time)) /
+               static_cast<Real>(dt);
     });
 }
 
@@ -209,8 +213,9 @@ void Walls<S>::reaction(const Patch<S>& patch, NodeField source, NodeField value
             const Real* v = patch.column(value, c);
             for (const Link& link : face.links)
                 add(condition, c,
-                    static_cast<double>(mass[link.ghost] * (v[link.ghost] - v[link.inner] +
-                                                            moving * velocity(condition, c, link.position, time)) -
+                    static_cast<double>(mass[link.ghost] *
+                                            (v[link.ghost] - v[link.inner] +
+                                             moving * velocity(condition, c, link.position, time)) -
                                         2 * s[link.ghost]),
                     link.position);
         }

@@ -15,7 +15,7 @@ template <class S>
 struct PlacedCondition {
     std::string name;
     std::shared_ptr<BoundaryCondition<S>> condition;
-    std::vector<std::string> faces;            ///< "x_min", …; empty if it holds in a region
+    std::vector<std::string> faces;  ///< "x_min", …; empty if it holds in a region
     std::shared_ptr<Geometry> region;
 };
 
@@ -58,7 +58,8 @@ class Walls {
         std::array<double, 3> total{};
         double power = 0;
     };
-    void reaction(const Patch<S>& patch, NodeField source, NodeField value, double time, std::vector<Sum>& sums) const;
+    void reaction(const Patch<S>& patch, NodeField source, NodeField value, double time,
+                  std::vector<Sum>& sums) const;
 
     const std::vector<PlacedCondition<S>>& conditions() const { return conditions_; }
 
@@ -69,8 +70,8 @@ class Walls {
     };
     struct Face {
         int axis;
-        int side;                                ///< 0: lower, 1: upper
-        std::array<int, S::dimension> condition; ///< index into conditions_ by component; -1: free
+        int side;                                 ///< 0: lower, 1: upper
+        std::array<int, S::dimension> condition;  ///< index into conditions_ by component; -1: free
         bool wall = false;
         std::vector<Link> links;
     };

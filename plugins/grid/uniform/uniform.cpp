@@ -1,6 +1,7 @@
 #include <matpoint/grid.hpp>
 #include <matpoint/plugin.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace {
@@ -10,10 +11,27 @@ using namespace matpoint;
 /// Whether max - min is a whole number of cells on every axis, to the rounding of decimal input.
 bool fits_whole_cells(const Json& own) {
     for (std::size_t a = 0; a < own.at("min").size(); ++a) {
-        const double cells = (own.at("max")[a].get<double>() - own.at("min")[a].get<double>()) / own.at("cell_size")[a].get<double>();
+        const double cells = (own.at("max")[a].get<double>() - own.at("min")[a].get<double>()) /
+                             own.at("cell_size")[a].get<double>();
         if (!(std::abs(cells - std::round(cells)) < 1e-6 && cells > 0.5)) return false;
     }
     return true;
+}
+
+bool is_axisymmetric(const Json& scene) {
+    return scene.at("/space/mode"_json_pointer) == "axisymmetric";
+}
+
+bool starts_at_axis(const Json& own, const Json& scene) {
+    return is_axisymmetric(scene) && own.at("min")[0].get<double>() == 0;
+}
+
+bool has_wall(const Json& scene, const std::string& face) {
+    for (const Json& condition : scene.at("boundary_conditions"))
+        if (const Json& on = condition.at("on");
+            on.is_array() && std::find(on.begin(), on.end(), face) != on.end())
+            return true;
+    return false;
 }
 
 /// One level of equal cells; only blocks of nodes near particles exist.
@@ -24,12 +42,20 @@ class Uniform final : public Grid<S> {
         return Schema("One level of equal cells; blocks of nodes without particles near them take no memory")
             .vector("min", {.unit = "m", .doc = "Lower corner"})
             .vector("max", {.unit = "m", .doc = "Upper corner"})
-            .add("cell_size", ParameterType::per_axis, {.unit = "m", .doc = "Edge of a cell, for all axes or one per axis", .greater_than = 0})
+            .add("cell_size", ParameterType::per_axis,
+                 {.unit = "m", .doc = "Edge of a cell, for all axes or one per axis", .greater_than = 0})
             .refuse("/cell_size", "max - min must be a positive whole number of cells on every axis",
                     [](const Json& own, const Json&) { return !fits_whole_cells(own); })
+            .warn("/min",
+                  "the axis of an axisymmetric space is at x_min, but nothing keeps particles there: add a "
+                  "slip "
+                  "boundary condition on \"x_min\"",
+                  [](const Json& own, const Json& scene) {
+                      return starts_at_axis(own, scene) && !has_wall(scene, "x_min");
+                  })
             .refuse("/min", "the first axis is the radius in an axisymmetric space: it can't start below 0",
                     [](const Json& own, const Json& scene) {
-                        return scene.at("/space/mode"_json_pointer) == "axisymmetric" && own.at("min")[0].get<double>() < 0;
+                        return is_axisymmetric(scene) && own.at("min")[0].get<double>() < 0;
                     });
     }
 
@@ -40,9 +66,11 @@ class Uniform final : public Grid<S> {
 
   private:
     static typename Patch<S>::Coordinates cells(const Parameters& parameters) {
-        const auto min = parameters.vector("min"), max = parameters.vector("max"), h = parameters.vector("cell_size");
+        const auto min = parameters.vector("min"), max = parameters.vector("max"),
+                   h = parameters.vector("cell_size");
         typename Patch<S>::Coordinates cells;
-        for (std::size_t a = 0; a < S::dimension; ++a) cells[a] = static_cast<int>(std::lround((max[a] - min[a]) / h[a]));
+        for (std::size_t a = 0; a < S::dimension; ++a)
+            cells[a] = static_cast<int>(std::lround((max[a] - min[a]) / h[a]));
         return cells;
     }
 

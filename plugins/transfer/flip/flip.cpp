@@ -36,15 +36,19 @@ class Flip final : public Transfer<S> {
                      "linear fields exactly.",
                  .paper = "[Wallstedt & Guilkey 2007, eq. 4.1-4.3]",
                  .default_value = false})
-            .refuse(
-                "/gradient_enhanced",
-                "with the integrators \"usf\", \"musl\" and \"uvf\" the gradient is a step older than the "
-                "velocity that it extends to the nodes for the stress, which is unstable; choose \"usl\" or "
-                "\"central_difference\"",
-                [=](const Json& own, const Json& scene) {
-                    const auto is = [&](const char* type) { return type_is(scene, "integrator", type); };
-                    return enhanced(own) && (is("usf") || is("musl") || is("uvf"));
-                })
+            .refuse("/gradient_enhanced",
+                    "\"usf\" takes the stress's gradient before the forces act, a step older than the "
+                    "velocity that it "
+                    "would extend to the nodes, which is unstable; choose \"usl\", \"musl\" or "
+                    "\"central_difference\"",
+                    [=](const Json& own, const Json& scene) {
+                        return enhanced(own) && type_is(scene, "integrator", "usf");
+                    })
+            .warn("/gradient_enhanced",
+                  "has no effect with \"uvf\", which never reads the velocity that it projects first",
+                  [=](const Json& own, const Json& scene) {
+                      return enhanced(own) && type_is(scene, "integrator", "uvf");
+                  })
             .warn("/gradient_enhanced",
                   "linear shape functions give gradients too poor for it: \"pathologically unstable\" "
                   "[Wallstedt & "

@@ -1,0 +1,117 @@
+// Walls, open faces and reactions against what must come out of symmetry and of Newton's third law.
+#include "simulated.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace matpoint::conformance {
+namespace {
+
+Json squashed_block(double left, const Json& boundary_conditions) {
+    Json scene = Json::parse(R"json({
+        "matpoint": 1,
+        "space": {"dimension": 2},
+        "grid": {"type": "uniform", "min": [0, -1], "max": [1.5, 1], "cell_size": 0.125},
+        "integrator": {"type": "usl"},
+        "time": {"end": 100, "step": 0.002},
+        "materials": {"rubber": {"type": "neo_hookean", "density": 1000, "youngs_modulus": 1e5, "poissons_ratio": 0.3}},
+        "bodies": {"block": {"material": "rubber", "velocity": ["-2*x", "0.5*sin(2*x)"],
+                             "geometry": {"type": "box", "min": [0, -0.5], "max": [1, 0.5]}}},
+        "outputs": [{"type": "csv", "fields": ["velocity", "stress"]}]
+    })json");
+    scene["grid"]["min"][0] = left;
+    scene["bodies"]["block"]["geometry"]["min"][0] = left < 0 ? -1.0 : 0.0;
+    if (left < 0) scene["bodies"]["block"]["velocity"] = {"-2*x", "0.5*sin(2*abs(x))"};
+    scene["boundary_conditions"] = boundary_conditions;
+    return scene;
+}
+
+class EveryShape : public testing::TestWithParam<Json> {};
+
+TEST_P(EveryShape, SlipWallEqualsTheMirroredBody) {
+    const Json slip = {{{"type", "slip"}, {"on", "x_min"}}};
+    Json half = squashed_block(0, slip), full = squashed_block(-1.5, Json::array());
+    half["shape_function"] = full["shape_function"] = GetParam();
+    Simulated walled(half), mirrored(full);
+    walled.advance(60);
+    mirrored.advance(60);
+
+    // Seeding goes by cells: find the mirror body's particles with x > 0 by their place in y and x.
+    const auto keyed = [](Simulated& run) {
+        std::vector<std::array<double, 5>> rows;
+        const auto x = run->column("block", "position", 0), y = run->column("block", "position", 1);
+        const auto u = run->column("block", "velocity", 0), v = run->column("block", "velocity", 1);
+        const auto s = run->column("block", "stress", 0);
+        for (std::size_t p = 0; p < x.size(); ++p)
+            if (x[p] > 0) rows.push_back({x[p], y[p], u[p], v[p], s[p]});
+        std::sort(rows.begin(), rows.end());
+        return rows;
+    };
+    const auto expected = keyed(mirrored), found = keyed(walled);
+    ASSERT_EQ(expected.size(), found.size());
+    for (std::size_t p = 0; p < expected.size(); ++p) {
+        for (int k = 0; k < 4; ++k)
+            EXPECT_NEAR(found[p][static_cast<std::size_t>(k)], expected[p][static_cast<std::size_t>(k)],
+                        1e-10);
+        EXPECT_NEAR(found[p][4], expected[p][4], 1e-5);
+    }
+}
+
+TEST_P(EveryShape, BodyOnOpenFacesTranslatesFreely) {
+    Json scene = squashed_block(0, Json::array());
+    scene["shape_function"] = GetParam();
+    scene["bodies"]["block"]["velocity"] = {1.0, 0.25};
+    Simulated run(scene);
+    run.advance(50);
+    for (const double u : run->column("block", "velocity", 0)) EXPECT_NEAR(u, 1.0, 1e-11);
+    for (const double v : run->column("block", "velocity", 1)) EXPECT_NEAR(v, 0.25, 1e-11);
+    for (const double s : run->column("block", "von_mises_stress", 0)) EXPECT_NEAR(s, 0, 1e-5);
+}
+
+TEST_P(EveryShape, WallThatMovesWithTheBodyLeavesItAlone) {
+    Json scene = squashed_block(0, {{{"type", "velocity"}, {"on", {"x_min"}}, {"velocity", {0.75, -0.5}}}});
+    scene["shape_function"] = GetParam();
+    scene["bodies"]["block"]["velocity"] = {0.75, -0.5};
+    Simulated run(scene);
+    run.advance(40);
+    for (const double u : run->column("block", "velocity", 0)) EXPECT_NEAR(u, 0.75, 1e-11);
+    EXPECT_LT(run->conservation().momentum_drift, 1e-12);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shapes, EveryShape,
+                         testing::Values(Json{{"type", "linear"}}, Json{{"type", "gimp"}},
+                                         Json{{"type", "gimp"}, {"domain", "uniform"}},
+                                         Json{{"type", "bspline"}, {"order", 2}},
+                                         Json{{"type", "bspline"}, {"order", 3}}));
+
+TEST(Reactions, FloorCarriesTheWeightOfABodyAtRest) {
+    // Damped to rest by a transfer that takes all velocity from the grid.
+    const Json scene = Json::parse(R"json({
+        "matpoint": 1,
+        "space": {"dimension": 2},
+        "grid": {"type": "uniform", "min": [0, 0], "max": [1, 1], "cell_size": 0.125},
+        "shape_function": {"type": "bspline", "order": 2},
+        "transfer": {"type": "flip", "pic_fraction": 1},
+        "time": {"end": 100, "cfl": 0.4},
+        "materials": {"rubber": {"type": "linear_elastic", "density": 1000, "youngs_modulus": 1e6, "poissons_ratio": 0.0}},
+        "bodies": {"block": {"material": "rubber", "geometry": {"type": "box", "min": [0, 0], "max": [1, 0.5]}}},
+        "loads": [{"type": "gravity", "acceleration": [0, -10]}],
+        "boundary_conditions": [{"type": "slip", "on": ["x_min", "x_max"], "name": "sides"},
+                                {"type": "fixed", "on": "y_min", "name": "floor"}]
+    })json");
+    Simulated run(scene);
+    run.advance(3000);
+    EXPECT_NEAR(run->reaction("floor")[1], 1000 * 0.5 * 10, 5);
+    EXPECT_NEAR(run->reaction("sides")[0], 0, 1e-6);
+    EXPECT_LT(run->energies().kinetic, 1e-6);
+}
+
+TEST(Reactions, TwoConditionsOnOneComponentAreAMistake) {
+    const Json twice = {{{"type", "fixed"}, {"on", "x_min"}}, {{"type", "slip"}, {"on", "x_min"}}};
+    EXPECT_THROW(Simulated{squashed_block(0, twice)}, InputError);
+}
+
+}  // namespace
+}  // namespace matpoint::conformance
