@@ -9,6 +9,8 @@
 #include "registry/plugin_library.hpp"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -70,6 +72,18 @@ int call(const std::vector<std::string>& arguments) {
     return verb->function({arguments.begin() + 1, arguments.end()});
 }
 
+/// Memory that the machine doesn't have is then refused, and told, before the system kills the run.
+void limit_memory() {
+#ifndef __SANITIZE_ADDRESS__  // whose shadow memory is larger than any machine
+    const rlim_t all =
+        static_cast<rlim_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
+    rlimit limit{};
+    if (getrlimit(RLIMIT_DATA, &limit) != 0 || limit.rlim_cur <= all) return;
+    limit.rlim_cur = all;
+    setrlimit(RLIMIT_DATA, &limit);
+#endif
+}
+
 int tell(int status, const std::string& text) {
     std::cout.flush();
     std::cerr << text << (text.ends_with('\n') ? "" : "\n");
@@ -81,6 +95,7 @@ int tell(int status, const std::string& text) {
 
 int main(int count, char** given) {
     using namespace matpoint;
+    limit_memory();
     const std::vector<std::string> arguments(given + 1, given + count);
     const std::string who = arguments.empty() ? "matpoint: " : "matpoint " + arguments.front() + ": ";
     try {

@@ -66,12 +66,16 @@ void add_threads(po::options_description& options) {
                           "threads to use; by default all cores");
 }
 
+/// More than machines have; the scheduler itself breaks down from some tens of thousands on.
+constexpr int most_threads = 4096;
+
 void use_threads(const po::variables_map& values) {
     int count = static_cast<int>(std::thread::hardware_concurrency());
     if (values.count("threads") > 0) {
         count = values["threads"].as<int>();
-        if (count < 1)
-            throw UsageError(fmt::format("--threads: expected a whole number >= 1, got {}", count));
+        if (count < 1 || count > most_threads)
+            throw UsageError(
+                fmt::format("--threads: expected a whole number from 1 to {}, got {}", most_threads, count));
     }
     set_threads(count);
 }

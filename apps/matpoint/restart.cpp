@@ -30,18 +30,17 @@ int restart(const std::vector<std::string>& arguments) {
     use_threads(*values);
 
     const std::filesystem::path file = arguments_of(*values).front();
-    CheckpointData checkpoint;
     try {
-        checkpoint = read_checkpoint(file);
-    } catch (const CheckpointError& error) {
+        CheckpointData checkpoint = read_checkpoint(file);
+        PluginCatalogue catalogue;
+        Scene scene = scene_of(checkpoint, catalogue);
+        const std::vector<std::string> assignments = assignments_of(*values);
+        if (!assignments.empty()) scene = load_scene(std::move(scene.document), assignments, catalogue);
+        return run_to_end(scene, catalogue, *values, run_folder(file), std::move(checkpoint));
+    } catch (const CheckpointError& error) {  // not one, or not one of the changed scene
         std::cerr << error.what() << "\n";
         return exit_bad_input;
     }
-    PluginCatalogue catalogue;
-    Scene scene = scene_of(checkpoint, catalogue);
-    const std::vector<std::string> assignments = assignments_of(*values);
-    if (!assignments.empty()) scene = load_scene(std::move(scene.document), assignments, catalogue);
-    return run_to_end(scene, catalogue, *values, run_folder(file), std::move(checkpoint));
 }
 
 }  // namespace matpoint

@@ -186,7 +186,7 @@ def knot(matpoint, folder):
     extent = (corner[0], corner[0] + shape[1] * pixel, corner[1], corner[1] + shape[0] * pixel)
     figure, axes = plt.subplots(2, 3, figsize=(10, 5.4), layout="constrained")
     ground = np.array([[-4.5, -4.5, 0], [4.5, -4.5, 0], [4.5, 4.5, 0], [-4.5, 4.5, 0]])
-    for axis, time in zip(axes.flat, (0, 0.008, 0.014, 0.024, 0.04, 0.06)):
+    for axis, time in zip(axes.flat, (0, 0.008, 0.014, 0.024, 0.036, 0.05)):
         points, fields = run.particles(time)
         points = points * 100
         axis.fill(ground @ view[0], ground @ view[1], color="0.92", zorder=0)

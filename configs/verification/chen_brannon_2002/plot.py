@@ -122,7 +122,7 @@ def figures_8_14_18(runner):
         column[-1].set_xlabel("x from the middle")
     for panel in grid[:, 0]:
         panel.set_ylabel("stress")
-    grid[0, 0].legend(frameon=False, fontsize=8, loc="lower center", bbox_to_anchor=(0.5, 0.2))
+    grid[0, 2].legend(frameon=False, fontsize=8, loc="lower center")
     grid[0, 0].set_ylim(-14, 4)
     return figure
 

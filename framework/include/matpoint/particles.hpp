@@ -68,14 +68,8 @@ class Particles {
     const std::string& name(int slot) const { return fields_[static_cast<std::size_t>(slot)].name; }
     int field_count() const { return static_cast<int>(fields_.size()); }
 
-    Real* column(int slot, int component) {
-        return columns_[static_cast<std::size_t>(fields_[static_cast<std::size_t>(slot)].first + component)]
-            .data();
-    }
-    const Real* column(int slot, int component) const {
-        return columns_[static_cast<std::size_t>(fields_[static_cast<std::size_t>(slot)].first + component)]
-            .data();
-    }
+    Real* column(int slot, int component) { return columns_[place(slot, component)].data(); }
+    const Real* column(int slot, int component) const { return columns_[place(slot, component)].data(); }
     Real* column(Field field, int component = 0) { return column(slot(field), component); }
     const Real* column(Field field, int component = 0) const { return column(slot(field), component); }
     /// Numbers given at seeding; empty unless Field::id was asked for.
@@ -104,6 +98,10 @@ class Particles {
         std::vector<double> initial;
     };
     int add(std::string name, std::vector<double> initial);
+    std::size_t place(int slot, int component) const {
+        return static_cast<std::size_t>(fields_[static_cast<std::size_t>(slot)].first) +
+               static_cast<std::size_t>(component);
+    }
 
     std::string body_;
     Index size_ = 0;

@@ -38,6 +38,10 @@ class CountingIterator {
     const char** reached_;
 };
 
+/// Far more than any scene needs; pointers of values grow with their depth, and so does the stack of
+/// whoever walks them.
+constexpr std::size_t deepest_nesting = 256;
+
 /// Builds the values and records where each starts.
 class Reader final : public nlohmann::json_sax<Json> {
   public:
@@ -111,7 +115,13 @@ class Reader final : public nlohmann::json_sax<Json> {
     bool open(Json container) {
         Json* placed = place(std::move(container));
         levels_.push_back({placed, pointer_});
-        return true;
+        if (levels_.size() <= deepest_nesting) return true;
+        const Position position = position_of(token_end_ - 1);
+        document_.mistakes.add({.file = document_.path.string(),
+                                .line = position.line,
+                                .column = position.column,
+                                .message = fmt::format("nested deeper than {} levels", deepest_nesting)});
+        return false;
     }
     bool close() {
         token_end_ = offset();

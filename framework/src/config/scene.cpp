@@ -12,6 +12,9 @@
 namespace matpoint {
 namespace {
 
+/// Beyond this, the cell is what should be smaller.
+constexpr int most_particles_per_axis = 100;
+
 std::filesystem::path folder_of(const Document& document) {
     return std::filesystem::absolute(document.path).parent_path();
 }
@@ -45,7 +48,8 @@ void spread_particles(Json& given, int dimension, const std::string& at, Validat
     const auto power = [&](double root) { return std::pow(root, dimension); };
     const double root = std::max(1.0, std::round(std::pow(total, 1.0 / dimension)));
     if (power(root) == total) {
-        given = Json(Json::array_t(static_cast<std::size_t>(dimension), static_cast<long>(root)));
+        given =
+            Json(Json::array_t(static_cast<std::size_t>(dimension), static_cast<long>(std::min(root, 1e9))));
         return;
     }
     const double lower = power(root) < total ? root : std::max(1.0, root - 1);
@@ -78,6 +82,9 @@ void check_bodies(Json& resolved, Validator& validator) {
     for (auto& [name, body] : resolved.items()) {
         if (!body.is_object()) continue;
         const std::string at = join_pointer("/bodies", name);
+        const auto unfit = [](unsigned char c) { return c < 0x20 || c == '/' || c == '\\'; };
+        if (std::any_of(name.begin(), name.end(), unfit))
+            validator.error(at, "files are called after a body: its name can't hold slashes or line breaks");
         Json& particles = body["particles_per_cell"];
         for (std::size_t i = 0; i < particles.size(); ++i) {
             if (!particles[i].is_number()) continue;
@@ -86,7 +93,12 @@ void check_bodies(Json& resolved, Validator& validator) {
                 validator.error(fmt::format("{}/particles_per_cell/{}", at, i),
                                 fmt::format("expected a whole number >= 1, got {}", number));
             }
-            particles[i] = std::lround(number);
+            if (number > most_particles_per_axis) {
+                validator.error(
+                    fmt::format("{}/particles_per_cell", at),
+                    fmt::format("expected at most {} per axis, got {}", most_particles_per_axis, number));
+            }
+            particles[i] = std::lround(std::min(number, double{most_particles_per_axis}));
         }
         for (std::size_t i = 0; i < body["velocity"].size(); ++i) {
             if (body["velocity"][i].is_null()) {

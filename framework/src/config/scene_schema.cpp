@@ -56,6 +56,9 @@ Schema checkpoint_schema() {
                 {.unit = "s", .doc = "Simulated time between two", .optional = true, .greater_than = 0})
         .integer("every_steps", {.doc = "Steps between two", .optional = true, .at_least = 1})
         .integer("keep", {.doc = "How many of the latest stay", .default_value = 2, .at_least = 1});
+    schema.refuse(
+        "", "give `every` or `every_steps`: without one, no state is saved",
+        [](const Json& own, const Json&) { return !own.contains("every") && !own.contains("every_steps"); });
     return refuse_two_intervals(schema);
 }
 

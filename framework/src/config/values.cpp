@@ -225,6 +225,7 @@ Json Validator::face(const Parameter& p, const Json& given, const std::string& a
 Json Validator::place(const Parameter& p, const Json& given, const std::string& at) {
     if (given.is_object()) return component("geometry", given, at);
     if (given.is_string()) return Json::array({face(p, given, at)});
+    if (given.is_array() && given.empty()) return mismatch(p, given, at);
     return list(p, given, at, 0,
                 [&](const Json& item, const std::string& pointer) { return face(p, item, pointer); });
 }

@@ -84,7 +84,7 @@ std::vector<Seed> seeds_of_region(const Patch<S>& patch, const Geometry& geometr
     const Index rows_per_task = std::max<Index>(1, candidates_per_task / points_per_row);
     const Index tasks = (rows + rows_per_task - 1) / rows_per_task;
     std::vector<std::vector<Eigen::Vector3d>> found(static_cast<std::size_t>(tasks));
-    parallel_for(tasks, [&](Index task) {
+    parallel_for(tasks, rows * points_per_row, [&](Index task) {
         std::vector<Eigen::Vector3d> candidates;
         for (Index row = task * rows_per_task; row < std::min(rows, (task + 1) * rows_per_task); ++row) {
             const int cy = y.first + static_cast<int>(row % y.cells()),

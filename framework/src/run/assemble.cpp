@@ -5,6 +5,9 @@
 #include "particles/seeding.hpp"
 #include "run/derived_fields.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 namespace matpoint {
@@ -199,6 +202,14 @@ Assembly<S> assemble(const Scene& scene, const Registry& registry) {
             for (const Field field : {Field::velocity_gradient, Field::affine_velocity})
                 if (particles.has(field))
                     set_initial_gradient(particles, field, initial_velocity, patch.cell_size()[0]);
+        });
+        maker.attempt(join_pointer("/bodies", name) + "/velocity", [&] {
+            for (Index p = 0; p < particles.size(); ++p)
+                if (!particles.velocity(p).allFinite())
+                    throw std::invalid_argument(
+                        fmt::format("is not finite at ({:.6g}), where a particle starts",
+                                    fmt::join(particles.position(p).data(),
+                                              particles.position(p).data() + S::dimension, ", ")));
         });
         result.bodies.push_back(std::move(particles));
         ++number;

@@ -61,6 +61,13 @@ std::string describe_fault(const Moment& moment, const Particles<S>& particles, 
     return who + " or one of its batch has a velocity or stress that is not finite." + step;
 }
 
+std::string describe_standstill(const Moment& moment) {
+    return at(moment) +
+           "the step is too short for the time to advance: a particle or wave speed has become huge or is "
+           "not "
+           "a number. Look for extreme material constants or velocities, or set /time/step.";
+}
+
 std::string describe_unstable_step(const Moment& moment, double stable_step, double wave_speed,
                                    double particle_speed) {
     return at(moment) + fmt::format(

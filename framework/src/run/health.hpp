@@ -19,6 +19,8 @@ std::string describe_stray(const Moment& moment, const Particles<S>& particles, 
 template <class S>
 std::string describe_fault(const Moment& moment, const Particles<S>& particles, const Fault& fault,
                            double stable_step);
+/// A step that leaves the time where it is.
+std::string describe_standstill(const Moment& moment);
 std::string describe_unstable_step(const Moment& moment, double stable_step, double wave_speed,
                                    double particle_speed);
 

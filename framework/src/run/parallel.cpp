@@ -11,6 +11,7 @@ namespace matpoint {
 
 namespace {
 
+constexpr Index items_worth_threads = 1024;
 int thread_count = 1;
 
 struct Workers {
@@ -37,8 +38,8 @@ int threads() {
     return thread_count;
 }
 
-void parallel_for(Index count, const std::function<void(Index)>& body) {
-    if (thread_count == 1 || count < 2) {
+void parallel_for(Index count, Index items, const std::function<void(Index)>& body) {
+    if (thread_count == 1 || count < 2 || items < items_worth_threads) {
         for (Index i = 0; i < count; ++i) body(i);
         return;
     }

@@ -56,7 +56,8 @@ double SceneSimulation<S>::next_time_step() const {
 template <class S>
 long SceneSimulation<S>::estimated_steps() const {
     const double steps = std::ceil((end_ - time_) / next_time_step() * (1 - 1e-12));
-    return std::min(max_steps_ - step_, static_cast<long>(std::max(0.0, steps)));
+    constexpr double uncountable = 9e18;  // beyond what a long holds
+    return std::min(max_steps_ - step_, static_cast<long>(std::clamp(steps, 0.0, uncountable)));
 }
 
 template <class S>
@@ -64,6 +65,7 @@ void SceneSimulation<S>::advance() {
     const double dt = next_time_step();
     remove_strays();
     if (guarded_) guard_step(dt);
+    if (!(time_ + dt > time_)) throw Breakdown(describe_standstill({step_, time_, dt}));
 
     engine_.step(step_, time_, dt);
     const Tally& tally = engine_.tally();

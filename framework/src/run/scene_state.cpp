@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace matpoint {
 
 template <class S>
@@ -161,6 +163,26 @@ CheckpointData SceneSimulation<S>::state() const {
     return data;
 }
 
+/// What particles have lived through can't be made up: a change of the scene must not ask for fields
+/// that the checkpoint hasn't got.
+template <class S>
+void expect_fields(const Particles<S>& particles, const CheckpointData::Body& saved) {
+    const auto refuse = [&](std::string_view field) {
+        throw CheckpointError(fmt::format(
+            "the checkpoint has no field \"{}\" of body \"{}\", which the changed scene needs: run it from "
+            "the start",
+            field, particles.body()));
+    };
+    for (int slot = 0; slot < particles.field_count(); ++slot) {
+        const auto holds = [&](const CheckpointData::Column& column) {
+            return column.field == particles.name(slot);
+        };
+        if (std::none_of(saved.columns.begin(), saved.columns.end(), holds)) refuse(particles.name(slot));
+    }
+    if (particles.has(Field::id) && saved.ids.size() != static_cast<std::size_t>(saved.size))
+        refuse(field_name(Field::id));
+}
+
 template <class S>
 void SceneSimulation<S>::restore(const CheckpointData& data) {
     using Real = typename S::Real;
@@ -175,6 +197,7 @@ void SceneSimulation<S>::restore(const CheckpointData& data) {
             [&](const CheckpointData::Body& candidate) { return candidate.name == particles.body(); });
         if (body == data.bodies.end())
             throw CheckpointError("the checkpoint has no body \"" + particles.body() + "\"");
+        expect_fields(particles, *body);
         particles.resize(static_cast<Index>(body->size));
         for (const CheckpointData::Column& column : body->columns) {
             const int slot = particles.slot(column.field);
@@ -185,7 +208,7 @@ void SceneSimulation<S>::restore(const CheckpointData& data) {
                                       "\" in the checkpoint is of another space or precision");
             std::copy(values->begin(), values->end(), particles.column(slot, column.component));
         }
-        if (particles.has(Field::id) && !body->ids.empty()) particles.ids() = body->ids;
+        if (particles.has(Field::id)) particles.ids() = body->ids;
         std::vector<BlockRange> ranges;
         for (std::size_t r = 0; r < body->block_numbers.size(); ++r) {
             const bool last = r + 1 == body->block_numbers.size();

@@ -3,11 +3,12 @@
 #include <matpoint/parallel.hpp>
 
 #include <algorithm>
+#include <limits>
 
 namespace matpoint {
 
 namespace {
-/// Nodes below this part of the largest particle's mass neither move nor are read.
+/// Nodes below this part of the largest particle's mass are not accelerated.
 constexpr double mass_cutoff = 1e-13;
 constexpr Index nodes_per_task = 8192;
 }  // namespace
@@ -72,11 +73,12 @@ void Engine<S>::scatter(const Scatter& request) {
         own.affine_slot = request.momentum ? affine_slot(bodies_[b], *request.momentum) : -1;
         const auto& ranges = ordering_.ranges(b);
         for (const std::vector<Index>& colour : ordering_.colours(b))
-            parallel_for(static_cast<Index>(colour.size()), [&](Index k) {
-                const BlockRange& range =
-                    ranges[static_cast<std::size_t>(colour[static_cast<std::size_t>(k)])];
-                components_.shape->scatter(patch_, bodies_[b], range.begin, range.end, own);
-            });
+            parallel_for(static_cast<Index>(colour.size()),
+                         bodies_[b].size() / static_cast<Index>(ordering_.colours(b).size()), [&](Index k) {
+                             const BlockRange& range =
+                                 ranges[static_cast<std::size_t>(colour[static_cast<std::size_t>(k)])];
+                             components_.shape->scatter(patch_, bodies_[b], range.begin, range.end, own);
+                         });
     }
 }
 
@@ -129,14 +131,16 @@ void Engine<S>::apply_loads() {
 
 template <class S>
 void Engine<S>::finish_velocity(NodeField field, double time) {
+    // However small the mass, momentum over mass is a mean of the particles' velocities, which read it
+    // back: cutting it off would strain a body that flies freely.
     const Real* mass = patch_.column(NodeField::mass);
-    const Real cutoff = static_cast<Real>(mass_cutoff * largest_mass_);
+    const Real smallest = std::numeric_limits<Real>::min();
     for (int c = 0; c < S::dimension; ++c) {
         Real* v = patch_.column(field, c);
-        parallel_for(node_tasks(), [&](Index k) {
+        parallel_for(node_tasks(), patch_.node_count(), [&](Index k) {
             const Index end = std::min(patch_.node_count(), (k + 1) * nodes_per_task);
             for (Index i = k * nodes_per_task; i < end; ++i)
-                v[i] = mass[i] > cutoff ? v[i] / mass[i] : Real(0);
+                v[i] = mass[i] > smallest ? v[i] / mass[i] : Real(0);
         });
     }
     walls_.constrain(patch_, field, time);
@@ -155,7 +159,7 @@ void Engine<S>::accelerate(Real dt, Real factor) {
         Real* a = patch_.column(NodeField::acceleration, c);
         Real* v = patch_.column(NodeField::velocity, c);
         const Real* external = loaded ? patch_.column(NodeField::external_force, c) : nullptr;
-        parallel_for(node_tasks(), [&](Index k) {
+        parallel_for(node_tasks(), patch_.node_count(), [&](Index k) {
             const Index end = std::min(patch_.node_count(), (k + 1) * nodes_per_task);
             for (Index i = k * nodes_per_task; i < end; ++i) {
                 f[i] = factor * (external ? f[i] + external[i] : f[i]);
@@ -180,7 +184,7 @@ void Engine<S>::add_load_work(Real dt, Real factor) {
         const Real* a = patch_.column(NodeField::acceleration, c);
         const Real* v = patch_.column(NodeField::velocity, c);
         const Real* external = patch_.column(NodeField::external_force, c);
-        parallel_for(node_tasks(), [&](Index k) {
+        parallel_for(node_tasks(), patch_.node_count(), [&](Index k) {
             const Index end = std::min(patch_.node_count(), (k + 1) * nodes_per_task);
             double sum = 0;
             for (Index i = k * nodes_per_task; i < end; ++i)

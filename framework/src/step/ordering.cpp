@@ -18,7 +18,7 @@ std::vector<Stray> Ordering<S>::strays(const Patch<S>& patch, const std::vector<
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         const Index n = bodies[b].size();
         std::vector<std::vector<Stray>> by_chunk(static_cast<std::size_t>((n + chunk - 1) / chunk));
-        parallel_for(static_cast<Index>(by_chunk.size()), [&](Index k) {
+        parallel_for(static_cast<Index>(by_chunk.size()), n, [&](Index k) {
             const Index end = std::min(n, (k + 1) * chunk);
             for (int a = 0; a < S::dimension; ++a) {
                 const auto* x = bodies[b].column(Field::position, a);
@@ -61,7 +61,7 @@ template <class S>
 bool Ordering<S>::strayed(const Patch<S>& patch, const Particles<S>& particles, const Ranges& ranges,
                           const ShapeFunction<S>& shape) const {
     std::atomic<bool> found = false;
-    parallel_for(static_cast<Index>(ranges.size()), [&](Index r) {
+    parallel_for(static_cast<Index>(ranges.size()), particles.size(), [&](Index r) {
         const BlockRange& range = ranges[static_cast<std::size_t>(r)];
         const auto block = patch.block_coordinates(range.block);
         std::array<typename Patch<S>::Coordinates, batch_size> base;
@@ -88,7 +88,7 @@ void Ordering<S>::sort(const Patch<S>& patch, Particles<S>& particles, Ranges& r
     const Index n = particles.size();
     // Block, then base node within the block, then present place: particles of one stencil lie together.
     std::vector<std::pair<std::int64_t, Index>> keys(static_cast<std::size_t>(n));
-    parallel_for((n + chunk - 1) / chunk, [&](Index k) {
+    parallel_for((n + chunk - 1) / chunk, n, [&](Index k) {
         const Index begin = k * chunk, end = std::min(n, begin + chunk);
         std::vector<typename Patch<S>::Coordinates> base(static_cast<std::size_t>(end - begin));
         shape.base_nodes(patch, particles, begin, end, base.data());

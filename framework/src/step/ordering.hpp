@@ -45,7 +45,10 @@ class Ordering {
     /// Continues with the ranges of a checkpoint.
     void restore(const Patch<S>& patch, std::size_t body, Ranges ranges);
     /// Sorts at the next update, whatever has moved.
-    void forget(std::size_t body) { ranges_[body].clear(); }
+    void forget(std::size_t body) {
+        ranges_[body].clear();
+        colours_[body].clear();
+    }
 
   private:
     bool strayed(const Patch<S>& patch, const Particles<S>& particles, const Ranges& ranges,

@@ -124,7 +124,7 @@ void Engine<S>::update(typename Phases<S>::Update what, Real dt) {
         const auto& ranges = ordering_.ranges(b);
         const std::size_t first = partials_.size();
         partials_.resize(first + ranges.size());
-        parallel_for(static_cast<Index>(ranges.size()), [&](Index r) {
+        parallel_for(static_cast<Index>(ranges.size()), bodies_[b].size(), [&](Index r) {
             const BlockRange& range = ranges[static_cast<std::size_t>(r)];
             BatchUpdate sink(bodies_[b], b, *components_.materials[b], first_states_[b], transfer, what, dt,
                              partials_[first + static_cast<std::size_t>(r)]);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace {
 
@@ -16,6 +17,22 @@ bool fits_whole_cells(const Json& own) {
         if (!(std::abs(cells - std::round(cells)) < 1e-6 && cells > 0.5)) return false;
     }
     return true;
+}
+
+/// Blocks of nodes are numbered by int, and each takes an entry of a table even where nothing is.
+bool has_countable_blocks(const Json& own) {
+    const std::size_t dimension = own.at("min").size();
+    const double edge = dimension == 1   ? Patch<Bar>::block_edge
+                        : dimension == 2 ? Patch<PlaneStrain>::block_edge
+                                         : Patch<Solid>::block_edge;
+    double blocks = 1;
+    for (std::size_t a = 0; a < dimension; ++a) {
+        const double cells = (own.at("max")[a].get<double>() - own.at("min")[a].get<double>()) /
+                             own.at("cell_size")[a].get<double>();
+        if (!(cells < 1e9)) return false;
+        blocks *= cells / edge + 2;
+    }
+    return blocks < std::numeric_limits<int>::max();
 }
 
 bool is_axisymmetric(const Json& scene) {
@@ -46,6 +63,13 @@ class Uniform final : public Grid<S> {
                  {.unit = "m", .doc = "Edge of a cell, for all axes or one per axis", .greater_than = 0})
             .refuse("/cell_size", "max - min must be a positive whole number of cells on every axis",
                     [](const Json& own, const Json&) { return !fits_whole_cells(own); })
+            .refuse(
+                "/cell_size",
+                "the grid has too many cells: at most 1e9 per axis and 1e11 in all; take larger ones or a "
+                "smaller grid",
+                [](const Json& own, const Json&) {
+                    return fits_whole_cells(own) && !has_countable_blocks(own);
+                })
             .warn("/min",
                   "the axis of an axisymmetric space is at x_min, but nothing keeps particles there: add a "
                   "slip "
