@@ -116,5 +116,14 @@ TEST_F(Health, WarningsGoOnAndAreKept) {
     EXPECT_EQ(summary().at("warnings").size(), 1U);
 }
 
+TEST_F(Health, StepThatDoesNotAdvanceTheTimeIsToldEvenUnguarded) {
+    Json scene = falling_block();
+    scene["bodies"]["block"]["velocity"] = {1e200, 0};
+    scene["health"] = {{"enabled", false}};
+    const RunResult result = run(scene);
+    EXPECT_EQ(result.status, RunStatus::broke_down);
+    EXPECT_NE(result.reason.find("too short"), std::string::npos) << result.reason;
+}
+
 }  // namespace
 }  // namespace matpoint::conformance

@@ -31,13 +31,6 @@ TEST_F(CheckpointTest, AFolderThatIsMissingOrAFileIsSaid) {
     EXPECT_SAYS(error, "Not a directory");
 }
 
-TEST_F(CheckpointTest, AReadOnlyFolderIsSaid) {
-    if (geteuid() == 0) GTEST_SKIP() << "root may write anywhere";
-    fs::permissions(folder, fs::perms::owner_read | fs::perms::owner_exec);
-    EXPECT_SAYS(error_of([&] { write_checkpoint(file, {}); }), "Permission denied");
-    fs::permissions(folder, fs::perms::owner_all);
-}
-
 TEST_F(CheckpointTest, AFailedWriteLeavesTheOldFileAndTheNextSucceeds) {
     write_checkpoint(file, large_data(10));
     const std::string before = bytes_of(file);

@@ -154,5 +154,11 @@ TEST(set, refuses_pointers_that_lead_nowhere) {
     EXPECT_EQ(document.json.dump(), R"({"time":{"end":1},"list":[1]})");
 }
 
+TEST(document, refuses_nesting_that_would_eat_memory) {
+    EXPECT_EQ(error_of(std::string(256, '[') + std::string(256, ']')), "no error");
+    const std::string deep = error_of("{\"a\":\n" + std::string(1000000, '['));
+    EXPECT_EQ(deep.substr(0, deep.find('\n')), "a.json:2:256: error: nested deeper than 256 levels");
+}
+
 }  // namespace
 }  // namespace matpoint

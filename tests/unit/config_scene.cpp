@@ -232,5 +232,30 @@ TEST(scene, survives_any_single_value_of_a_wrong_type) {
     EXPECT_THROW(resolve_scene(parse_document("{}", "a.json"), catalogue), InputError);
 }
 
+std::string mistakes_of(const std::string& setting) {
+    try {
+        resolve({setting});
+    } catch (const InputError& e) {
+        return e.what();
+    }
+    return "no error";
+}
+
+TEST(scene, refuses_what_would_do_nothing_or_never_end) {
+    const std::vector<std::pair<std::string, std::string>> cases{
+        {"/boundary_conditions/0/on=[]", "a face or a list of faces"},
+        {"/checkpoint={\"keep\": 3}", "without one, no state is saved"},
+        {"/bodies/disk/particles_per_cell=1e18", "at most 100 per axis"},
+        {"/bodies/disk/particles_per_cell=[2, 1e300]", "at most 100 per axis"},
+        {"/bodies={\"../disk\": {\"material\": \"rubber\", \"geometry\": {\"type\": \"box\", \"min\": [0, "
+         "0], "
+         "\"max\": [1, 1]}}}",
+         "slashes"},
+    };
+    for (const auto& [setting, words] : cases)
+        EXPECT_NE(mistakes_of(setting).find(words), std::string::npos) << setting << "\n"
+                                                                       << mistakes_of(setting);
+}
+
 }  // namespace
 }  // namespace matpoint

@@ -64,8 +64,7 @@ std::string describe_fault(const Moment& moment, const Particles<S>& particles, 
 std::string describe_standstill(const Moment& moment) {
     return at(moment) +
            "the step is too short for the time to advance: a particle or wave speed has become huge or is "
-           "not "
-           "a number. Look for extreme material constants or velocities, or set /time/step.";
+           "not a number. Look for extreme material constants or velocities, or set /time/step.";
 }
 
 std::string describe_unstable_step(const Moment& moment, double stable_step, double wave_speed,

@@ -1,0 +1,47 @@
+#include "step/ordering.hpp"
+
+#include <gtest/gtest.h>
+
+namespace matpoint {
+namespace {
+
+using S = PlaneStrain;
+
+/// A particle reaches the corners of its cell.
+class Corners final : public ShapeFunction<S> {
+  public:
+    void declare(Particles<S>&) const override {}
+    int width() const override { return 2; }
+    void base_nodes(const Patch<S>&, const Particles<S>& particles, Index begin, Index end,
+                    Coordinates* out) const override {
+        for (Index p = begin; p < end; ++p) {
+            const Vector x = particles.position(p);
+            *out++ = {static_cast<int>(x[0]), static_cast<int>(x[1])};
+        }
+    }
+    void scatter(Patch<S>&, const Particles<S>&, Index, Index, const Scatter&) const override {}
+    void gather(const Patch<S>&, const Particles<S>&, Index, Index, const Gather&,
+                GatherSink<S>&) const override {}
+    void spread(Patch<S>&, std::span<const PointSource<S>>, NodeField) const override {}
+    Stencil stencil(const Patch<S>&, const Vector&, const Vector&) const override { return {}; }
+};
+
+TEST(ordering, forgets_the_colours_of_a_body_with_its_ranges) {
+    const Patch<S> patch({0, 0, 0}, {1, 1, 1}, {32, 32});
+    std::vector<Particles<S>> bodies{Particles<S>("block")};
+    bodies[0].resize(1);
+    bodies[0].column(Field::position, 0)[0] = bodies[0].column(Field::position, 1)[0] = 3.5;
+    Ordering<S> ordering(1);
+    ASSERT_TRUE(ordering.update(patch, bodies, Corners()));
+    ASSERT_EQ(ordering.ranges(0).size(), 1U);
+
+    // The last particle leaves the grid: nothing may point into the ranges any more.
+    bodies[0].permute({});
+    ordering.forget(0);
+    ordering.update(patch, bodies, Corners());
+    EXPECT_TRUE(ordering.ranges(0).empty());
+    for (const auto& colour : ordering.colours(0)) EXPECT_TRUE(colour.empty());
+}
+
+}  // namespace
+}  // namespace matpoint
