@@ -77,9 +77,10 @@ void limit_memory() {
 #ifndef __SANITIZE_ADDRESS__  // whose shadow memory is larger than any machine
     const rlim_t all =
         static_cast<rlim_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
+    const rlim_t most = all / 8 * 7;  // the system and others take some
     rlimit limit{};
-    if (getrlimit(RLIMIT_DATA, &limit) != 0 || limit.rlim_cur <= all) return;
-    limit.rlim_cur = all;
+    if (getrlimit(RLIMIT_DATA, &limit) != 0 || limit.rlim_cur <= most) return;
+    limit.rlim_cur = most;
     setrlimit(RLIMIT_DATA, &limit);
 #endif
 }

@@ -83,7 +83,9 @@ Json value(const Parameter& p) {
             return text;
         case ParameterType::place: {
             const Json face{{"enum", face_names(0)}};
-            return any_of({face, list_of(face), reference_to("geometry")});
+            Json faces = list_of(face);
+            faces["minItems"] = 1;
+            return any_of({face, std::move(faces), reference_to("geometry")});
         }
         case ParameterType::component:
             return reference_to(p.kind);

@@ -95,7 +95,7 @@ void check_bodies(Json& resolved, Validator& validator) {
             }
             if (number > most_particles_per_axis) {
                 validator.error(
-                    fmt::format("{}/particles_per_cell", at),
+                    fmt::format("{}/particles_per_cell/{}", at, i),
                     fmt::format("expected at most {} per axis, got {}", most_particles_per_axis, number));
             }
             particles[i] = std::lround(std::min(number, double{most_particles_per_axis}));

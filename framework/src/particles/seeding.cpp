@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <vector>
@@ -17,6 +19,9 @@ namespace {
 
 /// Candidates handed to the geometry at a time, about.
 constexpr Index candidates_per_task = 65536;
+
+/// What the particles' numbers can tell apart.
+constexpr double most_places = std::numeric_limits<std::uint32_t>::max();
 
 struct Seed {
     Eigen::Vector3d position;   ///< m
@@ -68,10 +73,16 @@ std::vector<Seed> seeds_of_region(const Patch<S>& patch, const Geometry& geometr
                                   const std::array<int, 3>& per_cell) {
     const Geometry::Bounds bounds = geometry.bounds();
     std::array<Axis, 3> axes;
+    double places = 1;
     for (int a = 0; a < S::dimension; ++a) {
         const auto i = static_cast<std::size_t>(a);
         axes[i] = lattice_axis(patch, bounds, a, per_cell[i]);
+        places *= static_cast<double>(axes[i].coordinates.size());
     }
+    if (places > most_places)
+        throw std::invalid_argument(
+            fmt::format("its box holds {:.3g} places for particles, more than {:.3g}: take larger cells",
+                        places, most_places));
     const auto& [x, y, z] = axes;
     const Eigen::Vector3d half_size(x.half_size, y.half_size, z.half_size);
     double area = 1;

@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace matpoint {
 
@@ -203,13 +204,22 @@ Assembly<S> assemble(const Scene& scene, const Registry& registry) {
                 if (particles.has(field))
                     set_initial_gradient(particles, field, initial_velocity, patch.cell_size()[0]);
         });
-        maker.attempt(join_pointer("/bodies", name) + "/velocity", [&] {
+        maker.attempt(join_pointer("/bodies", name), [&] {
+            const auto* mass = particles.column(Field::mass);
             for (Index p = 0; p < particles.size(); ++p)
-                if (!particles.velocity(p).allFinite())
-                    throw std::invalid_argument(
-                        fmt::format("is not finite at ({:.6g}), where a particle starts",
-                                    fmt::join(particles.position(p).data(),
-                                              particles.position(p).data() + S::dimension, ", ")));
+                if (!(mass[p] > 0 && std::isfinite(mass[p])))
+                    throw std::invalid_argument(fmt::format(
+                        "its particles get masses of {} kg: the scene's precision can't hold them, "
+                        "choose other units or \"double\"",
+                        material->density() * static_cast<double>(particles.column(Field::volume)[p])));
+        });
+        maker.attempt(join_pointer("/bodies", name) + "/velocity", [&] {
+            for (Index p = 0; p < particles.size(); ++p) {
+                if (particles.velocity(p).allFinite()) continue;
+                const typename S::Vector x = particles.position(p);
+                throw std::invalid_argument(fmt::format("is not finite at ({:.6g}), where a particle starts",
+                                                        fmt::join(x.data(), x.data() + S::dimension, ", ")));
+            }
         });
         result.bodies.push_back(std::move(particles));
         ++number;
