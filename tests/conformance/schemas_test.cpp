@@ -1,14 +1,10 @@
 // The JSON Schema of all components, read by valijson: every shipped scene is valid, and none is any
 // more once one of its keys is misspelt or one of its values is of another type.
+#include "../unit/editor.hpp"
 #include "config/document.hpp"
-#include "config/json_schema.hpp"
 #include "registry/catalogue.hpp"
 
 #include <gtest/gtest.h>
-#include <valijson/adapters/nlohmann_json_adapter.hpp>
-#include <valijson/schema.hpp>
-#include <valijson/schema_parser.hpp>
-#include <valijson/validator.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -17,26 +13,6 @@ namespace matpoint::conformance {
 namespace {
 
 namespace fs = std::filesystem;
-
-class Editor {
-  public:
-    Editor() {
-        PluginCatalogue catalogue;
-        catalogue.open_all();
-        schema_json_ = nlohmann::json::parse(json_schema(catalogue).dump());
-        valijson::SchemaParser parser;
-        parser.populateSchema(valijson::adapters::NlohmannJsonAdapter(schema_json_), schema_);
-    }
-    bool accepts(const Json& scene) const {
-        const nlohmann::json target = nlohmann::json::parse(scene.dump());
-        valijson::Validator validator;
-        return validator.validate(schema_, valijson::adapters::NlohmannJsonAdapter(target), nullptr);
-    }
-
-  private:
-    nlohmann::json schema_json_;
-    valijson::Schema schema_;
-};
 
 std::vector<fs::path> shipped_scenes() {
     std::vector<fs::path> scenes;
@@ -85,7 +61,9 @@ void break_everywhere(const Json& scene, const std::string& pointer, const Visit
 }
 
 TEST(SceneSchema, AcceptsEveryShippedSceneAndNoneBroken) {
-    const Editor editor;
+    PluginCatalogue catalogue;
+    catalogue.open_all();
+    const Editor editor(catalogue);
     const std::vector<fs::path> scenes = shipped_scenes();
     ASSERT_GT(scenes.size(), 30U);
     for (const fs::path& path : scenes) {

@@ -1,41 +1,16 @@
 #include "config/describe.hpp"
-#include "config/json_schema.hpp"
 #include "config_example.hpp"
+#include "editor.hpp"
 
 #include <gtest/gtest.h>
-#include <valijson/adapters/nlohmann_json_adapter.hpp>
-#include <valijson/schema.hpp>
-#include <valijson/schema_parser.hpp>
-#include <valijson/validator.hpp>
 
 namespace matpoint {
 namespace {
 
-/// valijson, an independent reader of JSON Schema, with the schema of the fake catalogue.
-class Editor {
-  public:
-    Editor() {
-        FakeCatalogue catalogue;
-        // valijson knows the default object type of nlohmann, not the ordered one.
-        schema_json_ = nlohmann::json::parse(json_schema(catalogue).dump());
-        valijson::SchemaParser parser;
-        parser.populateSchema(valijson::adapters::NlohmannJsonAdapter(schema_json_), schema_);
-    }
-    bool accepts(const Json& scene) const {
-        const nlohmann::json target = nlohmann::json::parse(scene.dump());
-        valijson::Validator validator;
-        return validator.validate(schema_, valijson::adapters::NlohmannJsonAdapter(target), nullptr);
-    }
-
-  private:
-    nlohmann::json schema_json_;
-    valijson::Schema schema_;
-};
-
 TEST(json_schema, accepts_good_scenes_and_their_resolved_form) {
-    const Editor editor;
-    EXPECT_TRUE(editor.accepts(example().json));
     FakeCatalogue catalogue;
+    const Editor editor(catalogue);
+    EXPECT_TRUE(editor.accepts(example().json));
     Json resolved = resolve_scene(example(), catalogue).resolved;
     EXPECT_TRUE(editor.accepts(resolved));
     resolved["resolved_with"] = {{"a", "1"}};
@@ -43,7 +18,8 @@ TEST(json_schema, accepts_good_scenes_and_their_resolved_form) {
 }
 
 TEST(json_schema, refuses_broken_scenes) {
-    const Editor editor;
+    FakeCatalogue catalogue;
+    const Editor editor(catalogue);
     for (const char* setting : {
              "/matpoint=2",
              "/unknown=1",
@@ -76,7 +52,8 @@ TEST(json_schema, refuses_broken_scenes) {
 }
 
 TEST(json_schema, accepts_whatever_resolves) {
-    const Editor editor;
+    FakeCatalogue catalogue;
+    const Editor editor(catalogue);
     for (const char* setting : {
              "/grid/cell_size=[\"1 cm\", 0.02]",
              "/materials/rubber/youngs_modulus=4.2e6",
