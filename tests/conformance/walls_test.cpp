@@ -108,6 +108,30 @@ TEST(Reactions, FloorCarriesTheWeightOfABodyAtRest) {
     EXPECT_LT(run->energies().kinetic, 1e-6);
 }
 
+TEST(MovingRegion, StaggeredIntegratorsFollowItToSecondOrder) {
+    const auto error = [](const char* integrator, double dt) {
+        Json scene = Json::parse(R"json({
+            "matpoint": 1,
+            "space": {"dimension": 1},
+            "grid": {"type": "uniform", "min": [0], "max": [2], "cell_size": 0.25},
+            "time": {"end": 100},
+            "materials": {"soft": {"type": "linear_elastic", "density": 1, "youngs_modulus": 1}},
+            "bodies": {"bar": {"material": "soft", "velocity": [1], "geometry": {"type": "box", "min": [0.5], "max": [1]}}},
+            "boundary_conditions": [{"type": "velocity", "velocity": ["cos(5*t)"],
+                                     "on": {"type": "box", "min": [0], "max": [2]}}]
+        })json");
+        scene["integrator"] = {{"type", integrator}};
+        scene["time"]["step"] = dt;
+        Simulated run(scene);
+        const double start = run->column("bar", "position", 0)[0];
+        run.advance(std::lround(0.24 / dt));
+        return std::abs(run->column("bar", "position", 0)[0] - start - std::sin(5 * 0.24) / 5);
+    };
+    for (const char* integrator : {"central_difference", "uvf"})
+        EXPECT_NEAR(std::log2(error(integrator, 0.02) / error(integrator, 0.01)), 2, 0.1) << integrator;
+    EXPECT_NEAR(std::log2(error("usl", 0.02) / error("usl", 0.01)), 1, 0.1);
+}
+
 TEST(Reactions, TwoConditionsOnOneComponentAreAMistake) {
     const Json twice = {{{"type", "fixed"}, {"on", "x_min"}}, {{"type", "slip"}, {"on", "x_min"}}};
     EXPECT_THROW(Simulated{squashed_block(0, twice)}, InputError);

@@ -47,6 +47,8 @@ class Integrator : public Component {
 
     /// Node fields beyond mass, velocity, force and acceleration.
     virtual std::vector<NodeField> node_fields() const { return {}; }
+    /// Whether velocities are those of half steps: prescribed ones are then taken at these times.
+    virtual bool staggered() const { return false; }
     /// Advances everything by dt (s).
     virtual void step(Phases<S>& phases, Real dt) const = 0;
 };

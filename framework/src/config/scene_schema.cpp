@@ -33,8 +33,9 @@ Schema time_schema() {
              .optional = true,
              .at_most = 2,
              .greater_than = 0})
-        .integer("max_steps",
-                 {.doc = "The run ends unfinished after so many", .optional = true, .at_least = 1});
+        .integer(
+            "max_steps",
+            {.doc = "The run ends after so many steps, wherever it is", .optional = true, .at_least = 1});
 }
 
 Schema body_schema() {

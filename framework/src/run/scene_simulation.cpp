@@ -27,11 +27,26 @@ SceneSimulation<S>::SceneSimulation(const Scene& scene, PluginCatalogue& catalog
         cfl_ = time.at("cfl").get<double>();
     for (const PluginLibrary& plugin : catalogue.opened()) plugins_[plugin.name()] = plugin.version();
 
+    engine_.prepare();
     engine_.measure();
     numbers_.first_mass = mass();
     numbers_.given_momentum = engine_.tally().momentum;
     numbers_.first_energy = energies().total();
     account();
+    check_outputs(scene);
+}
+
+template <class S>
+void SceneSimulation<S>::check_outputs(const Scene& scene) {
+    Diagnostics diagnostics;
+    for (std::size_t k = 0; k < assembly_.outputs.size(); ++k) {
+        try {
+            assembly_.outputs[k].output->check(*this);
+        } catch (const std::exception& mistake) {
+            diagnostics.add(scene.document.diagnostic("/outputs/" + std::to_string(k), mistake.what()));
+        }
+    }
+    diagnostics.throw_if_errors();
 }
 
 template <class S>
@@ -67,7 +82,7 @@ void SceneSimulation<S>::advance() {
     if (guarded_) guard_step(dt);
     if (!(time_ + dt > time_)) throw Breakdown(describe_standstill({step_, time_, dt}));
 
-    engine_.step(step_, time_, dt);
+    engine_.step(step_, time_, dt, last_time_step_);
     const Tally& tally = engine_.tally();
     if (guarded_ && !engine_.faults().empty()) {
         const Fault& fault = engine_.faults().front();

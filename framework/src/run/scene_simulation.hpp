@@ -63,6 +63,7 @@ class SceneSimulation final : public Simulation {
     };
 
     const Particles<S>& body(const std::string& name) const;
+    void check_outputs(const Scene& scene);
     double stable_step() const;
     void remove_strays();
     void guard_step(double dt);

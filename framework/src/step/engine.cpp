@@ -32,15 +32,24 @@ Engine<S>::Engine(Components<S> components, std::vector<Particles<S>>& bodies, s
 }
 
 template <class S>
-void Engine<S>::step(long number, double time, double dt) {
+void Engine<S>::step(long number, double time, double dt, double last_dt) {
     number_ = number;
     time_ = time;
     dt_ = dt;
+    const bool staggered = components_.integrator->staggered();
+    velocity_from_ = staggered && number > 0 ? time - last_dt / 2 : time;
+    velocity_to_ = staggered ? time + dt / 2 : time + dt;
     faults_.clear();
     tally_.strain_work = tally_.external_work = 0;
     tally_.impulse = {};
     for (auto& reaction : tally_.reactions) reaction = {};
 
+    prepare();
+    components_.integrator->step(*this, static_cast<Real>(dt));
+}
+
+template <class S>
+void Engine<S>::prepare() {
     for (Particles<S>& particles : bodies_) components_.shape->start_step(patch_, particles);
     if (ordering_.update(patch_, bodies_, *components_.shape) || !located_) {
         patch_.set_blocks(ordering_.blocks(patch_));
@@ -50,7 +59,6 @@ void Engine<S>::step(long number, double time, double dt) {
             inside_[static_cast<std::size_t>(i)] = patch_.inside(patch_.node_coordinates(i));
         located_ = true;
     }
-    components_.integrator->step(*this, static_cast<Real>(dt));
 }
 
 template <class S>
@@ -99,7 +107,7 @@ void Engine<S>::project(typename Phases<S>::Projection projection) {
     if (projection.velocity) {
         apply_loads();  // while mass is what the particles gave, not yet folded
         walls_.fold_mass(patch_);
-        walls_.fold_momentum(patch_, NodeField::velocity, time_);
+        walls_.fold_momentum(patch_, NodeField::velocity, velocity_from_);
         // A transfer that replaces particle velocities lets walls stop momentum here already; the
         // momentum itself is kept in the acceleration until that is counted.
         const Real share = components_.transfer->grid_share();
@@ -107,9 +115,10 @@ void Engine<S>::project(typename Phases<S>::Projection projection) {
             for (int c = 0; c < S::dimension; ++c)
                 std::copy_n(patch_.column(NodeField::velocity, c), patch_.node_count(),
                             patch_.column(NodeField::acceleration, c));
-        finish_velocity(NodeField::velocity, time_);
+        finish_velocity(NodeField::velocity, velocity_from_);
         if (share > 0)
-            add_reactions(NodeField::acceleration, NodeField::velocity, static_cast<double>(share), time_);
+            add_reactions(NodeField::acceleration, NodeField::velocity, static_cast<double>(share),
+                          velocity_from_);
     }
     if (projection.internal_force) walls_.fold_force(patch_, NodeField::force);
 }
@@ -152,7 +161,6 @@ void Engine<S>::accelerate(Real dt, Real factor) {
     const bool loaded = !components_.loads.empty();
     const Real* mass = patch_.column(NodeField::mass);
     const Real cutoff = static_cast<Real>(mass_cutoff * largest_mass_);
-    const double end_time = time_ + dt_;
 
     for (int c = 0; c < S::dimension; ++c) {
         Real* f = patch_.column(NodeField::force, c);
@@ -168,11 +176,11 @@ void Engine<S>::accelerate(Real dt, Real factor) {
             }
         });
     }
-    walls_.constrain_acceleration(patch_, time_, dt_);
-    walls_.constrain(patch_, NodeField::velocity, end_time);
-    walls_.fill_acceleration(patch_, time_, dt_);
-    walls_.fill_velocity(patch_, NodeField::velocity, end_time);
-    add_reactions(NodeField::force, NodeField::acceleration, dt_, end_time);
+    walls_.constrain_acceleration(patch_, velocity_from_, velocity_to_, dt_);
+    walls_.constrain(patch_, NodeField::velocity, velocity_to_);
+    walls_.fill_acceleration(patch_, velocity_from_, velocity_to_, dt_);
+    walls_.fill_velocity(patch_, NodeField::velocity, velocity_to_);
+    add_reactions(NodeField::force, NodeField::acceleration, dt_, (velocity_from_ + velocity_to_) / 2);
     if (loaded) add_load_work(dt, factor);
 }
 
@@ -216,9 +224,8 @@ template <class S>
 void Engine<S>::remap() {
     patch_.clear(NodeField::remapped_velocity);
     scatter({.momentum = NodeField::remapped_velocity});
-    const double end_time = time_ + dt_;
-    walls_.fold_momentum(patch_, NodeField::remapped_velocity, end_time);
-    finish_velocity(NodeField::remapped_velocity, end_time);
+    walls_.fold_momentum(patch_, NodeField::remapped_velocity, velocity_to_);
+    finish_velocity(NodeField::remapped_velocity, velocity_to_);
 }
 
 #define MATPOINT_INSTANTIATE(S) template class Engine<S>;

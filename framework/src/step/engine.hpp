@@ -65,8 +65,10 @@ class Engine final : public Phases<S> {
 
     /// Particles off the grid, to be dealt with before step().
     std::vector<Stray> strays() const { return ordering_.strays(patch_, bodies_); }
-    /// One step of length dt (s) from `time` (s). What went wrong is in faults().
-    void step(long number, double time, double dt);
+    /// One step of length dt (s) from `time` (s), after one of last_dt. What went wrong is in faults().
+    void step(long number, double time, double dt, double last_dt);
+    /// Brings particles into order and makes the blocks of nodes that they reach.
+    void prepare();
     const Tally& tally() const { return tally_; }
     const std::vector<Fault>& faults() const { return faults_; }
     /// Kinetic energy, momentum and speeds of the present state, before the first step.
@@ -114,6 +116,8 @@ class Engine final : public Phases<S> {
 
     long number_ = 0;
     double time_ = 0, dt_ = 0;
+    double velocity_from_ = 0,
+           velocity_to_ = 0;  ///< s, times of the nodal velocities before and after accelerate()
     Tally tally_;
     std::vector<Fault> faults_;
 };

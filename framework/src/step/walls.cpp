@@ -147,11 +147,11 @@ void Walls<S>::constrain(Patch<S>& patch, NodeField field, double time) const {
 }
 
 template <class S>
-void Walls<S>::constrain_acceleration(Patch<S>& patch, double time, double dt) const {
+void Walls<S>::constrain_acceleration(Patch<S>& patch, double from, double to, double dt) const {
     for (const Prescribed& p : prescribed_)
         patch.column(NodeField::acceleration, p.component)[p.node] =
-            (velocity(p.condition, p.component, p.position, time + dt) -
-             velocity(p.condition, p.component, p.position, time)) /
+            (velocity(p.condition, p.component, p.position, to) -
+             velocity(p.condition, p.component, p.position, from)) /
             static_cast<Real>(dt);
 }
 
@@ -181,10 +181,9 @@ void Walls<S>::fill_velocity(Patch<S>& patch, NodeField field, double time) cons
 }
 
 template <class S>
-void Walls<S>::fill_acceleration(Patch<S>& patch, double time, double dt) const {
+void Walls<S>::fill_acceleration(Patch<S>& patch, double from, double to, double dt) const {
     fill(patch, NodeField::acceleration, [&](int condition, int c, const Vector& x) {
-        return (velocity(condition, c, x, time + dt) - velocity(condition, c, x, time)) /
-               static_cast<Real>(dt);
+        return (velocity(condition, c, x, to) - velocity(condition, c, x, from)) / static_cast<Real>(dt);
     });
 }
 

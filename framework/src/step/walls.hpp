@@ -46,10 +46,11 @@ class Walls {
 
     /// Sets prescribed components of a velocity field to their values at `time`.
     void constrain(Patch<S>& patch, NodeField velocity, double time) const;
-    /// Sets prescribed components of the acceleration to their mean over the step.
-    void constrain_acceleration(Patch<S>& patch, double time, double dt) const;
+    /// Sets prescribed components of the acceleration to what changes their velocity from its value
+    /// at time `from` to that at `to` within dt.
+    void constrain_acceleration(Patch<S>& patch, double from, double to, double dt) const;
     void fill_velocity(Patch<S>& patch, NodeField velocity, double time) const;
-    void fill_acceleration(Patch<S>& patch, double time, double dt) const;
+    void fill_acceleration(Patch<S>& patch, double from, double to, double dt) const;
 
     /// Adds to sums[k] what condition k puts into prescribed components: at a node and its ghosts
     /// `share` of (mass value - source), source being force or momentum, value acceleration or

@@ -56,7 +56,9 @@ template <class S>
 class Uniform final : public Grid<S> {
   public:
     static Schema schema() {
-        return Schema("One level of equal cells; blocks of nodes without particles near them take no memory")
+        return Schema(
+                   "One level of equal cells; of a block of nodes without particles near it only four bytes "
+                   "exist")
             .vector("min", {.unit = "m", .doc = "Lower corner"})
             .vector("max", {.unit = "m", .doc = "Upper corner"})
             .add("cell_size", ParameterType::per_axis,

@@ -18,6 +18,8 @@ class CentralDifference final : public Integrator<S> {
             "[Wallstedt & Guilkey 2008, section 4, eq. 40-50]");
     }
 
+    bool staggered() const override { return true; }
+
     void step(Phases<S>& phases, Real dt) const override {
         // The first acceleration is halved: it brings velocities from time 0 to half a step [section 4].
         const Real factor = phases.step_number() == 0 ? Real(0.5) : Real(1);

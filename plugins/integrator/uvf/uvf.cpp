@@ -20,6 +20,8 @@ class Uvf final : public Integrator<S> {
 
     std::vector<NodeField> node_fields() const override { return {NodeField::remapped_velocity}; }
 
+    bool staggered() const override { return true; }
+
     void step(Phases<S>& phases, Real dt) const override {
         // The first acceleration is halved: it brings velocities from time 0 to half a step [section 4].
         const Real factor = phases.step_number() == 0 ? Real(0.5) : Real(1);

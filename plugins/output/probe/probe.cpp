@@ -20,6 +20,8 @@ class Probe final : public Output {
     std::vector<std::string> required_fields() const override { return quantity_.required_fields(); }
     std::string body() const override { return quantity_.body(); }
 
+    void check(const RunView& run) override { quantity_.find(run); }
+
     void open(const RunView& run, const std::filesystem::path& folder, double resumed_at) override {
         quantity_.find(run);
         std::vector<std::string> columns = quantity_.names();
