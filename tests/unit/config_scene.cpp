@@ -96,6 +96,8 @@ TEST(scene, takes_a_single_number_of_particles_as_the_total) {
 
 TEST(scene, reports_each_mistake_in_words) {
     const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
+        {{"/materials/rubber={\"typ\": \"neo_hookean\"}"},
+         "/materials/rubber/typ: unknown key; did you mean \"type\"?"},
         {{"/materials/rubber/poissons_ratio=0.7"},
          "/materials/rubber/poissons_ratio: expected a number > -1 and < 0.5, got 0.7"},
         {{"/materials/rubber/youngs_modulus=4 MPaa"},

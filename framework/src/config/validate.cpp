@@ -39,14 +39,20 @@ Json Validator::component(const std::string& kind_name, const Json& own, const s
     }
     const auto type = own.find("type");
     if (type == own.end()) {
+        for (const auto& [key, value] : own.items()) {
+            if (!nearest(key, {"type"})) continue;
+            error(join_pointer(at, key), "unknown key; did you mean \"type\"?");
+            return nullptr;
+        }
         error(at, "missing key \"type\"" + did_you_mean("", catalogue_.types(kind_name)));
         return nullptr;
     }
     const Schema* schema = type->is_string() ? catalogue_.find(kind_name, type->get<std::string>()) : nullptr;
     if (!schema) {
         const std::string name = type->is_string() ? type->get<std::string>() : "";
+        const std::vector<std::string> types = catalogue_.types(kind_name);
         error(at + "/type", fmt::format("unknown {} {}{}", kind_name, shown(*type),
-                                        did_you_mean(name, catalogue_.types(kind_name))));
+                                        types.empty() ? "; no plugin offers one" : did_you_mean(name, types)));
         return nullptr;
     }
     const std::vector<int>& dimensions = schema->dimensions();
