@@ -51,8 +51,9 @@ Json Validator::component(const std::string& kind_name, const Json& own, const s
     if (!schema) {
         const std::string name = type->is_string() ? type->get<std::string>() : "";
         const std::vector<std::string> types = catalogue_.types(kind_name);
-        error(at + "/type", fmt::format("unknown {} {}{}", kind_name, shown(*type),
-                                        types.empty() ? "; no plugin offers one" : did_you_mean(name, types)));
+        error(at + "/type",
+              fmt::format("unknown {} {}{}", kind_name, shown(*type),
+                          types.empty() ? "; no plugin offers one" : did_you_mean(name, types)));
         return nullptr;
     }
     const std::vector<int>& dimensions = schema->dimensions();
