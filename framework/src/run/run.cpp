@@ -160,7 +160,7 @@ class Run {
     }
 
     fs::path save() {
-        const fs::path file = checkpoint_path(checkpoint_folder(), simulation_->step());
+        fs::path file = checkpoint_path(checkpoint_folder(), simulation_->step());
         fs::create_directories(file.parent_path());
         write_checkpoint(file, simulation_->state());
         return file;
