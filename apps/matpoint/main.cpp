@@ -26,7 +26,7 @@ struct NamedVerb {
     Verb* function;
 };
 
-const std::array<NamedVerb, 8> verbs{{
+const std::array<NamedVerb, 10> verbs{{
     {"run", "SCENE", "run a scene", run},
     {"restart", "CHECKPOINT", "go on from a checkpoint", restart},
     {"validate", "SCENE...", "check scenes without solving; predict steps and memory", validate},
@@ -34,6 +34,8 @@ const std::array<NamedVerb, 8> verbs{{
     {"describe", "TYPE", "describe a component: parameters, units, defaults, paper", describe},
     {"schema", "", "print a JSON Schema of scenes, for editors", schema},
     {"test", "PATH...", "run regression cases", test},
+    {"study", "STUDY", "measure the trade of speed against accuracy over variants of a scene", study},
+    {"limits", "STUDY", "find where variants of a scene stop being stable", limits},
     {"new_plugin", "KIND NAME", "write a plugin project that builds out of tree", new_plugin},
 }};
 

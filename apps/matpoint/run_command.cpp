@@ -1,6 +1,7 @@
 #include "run_command.hpp"
 
 #include "config/diagnostics.hpp"
+#include "study/recommendation.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -28,6 +29,7 @@ std::vector<std::string> assignments_of(const po::variables_map& values) {
 
 void print_warnings(const Scene& scene) {
     for (const Diagnostic& warning : scene.warnings) std::cerr << to_string(warning) << "\n";
+    if (const auto advice = recommendation(scene, fronts_folder())) std::cerr << *advice << "\n";
 }
 
 int run_to_end(const Scene& scene, PluginCatalogue& catalogue, const po::variables_map& values,

@@ -15,6 +15,8 @@ Verb list;
 Verb describe;
 Verb schema;
 Verb test;
+Verb study;
+Verb limits;
 
 // What the exit status says (SCENE.md).
 inline constexpr int exit_done = 0, exit_failed = 1, exit_bad_input = 2, exit_missing = 3;

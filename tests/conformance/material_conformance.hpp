@@ -21,6 +21,11 @@
 /// material has a stored energy.
 namespace matpoint::conformance {
 
+/// What a material promises: to be right for any motion, or as the linear theory is, for small strains and
+/// rotations, where its energy needs to match its stress to the first order of the strain only (but in a
+/// bar).
+enum class MaterialLaw { objective, small_strain };
+
 template <class S>
 class MaterialChecks {
   public:
@@ -29,7 +34,8 @@ class MaterialChecks {
     /// Step of central differences, and bound of their relative error.
     static inline const double h = std::cbrt(eps), difference_error = 20 * h * h;
 
-    explicit MaterialChecks(const Material<S>& material) : material_(material) {
+    explicit MaterialChecks(const Material<S>& material, MaterialLaw law = MaterialLaw::objective)
+        : material_(material), objective_(law == MaterialLaw::objective) {
         Specimen<S> s(material_);
         modulus_ = static_cast<double>(s.density()) * std::pow(static_cast<double>(s.wave_speed()), 2);
     }
@@ -68,8 +74,10 @@ class MaterialChecks {
 
     /// dW/dt = J sigma : D, W per initial volume.
     void stress_is_derivative_of_energy() {
+        const double strain = objective_ || S::dimension == 1 ? 0.2 : 1e-3;
+        const double neglected = objective_ || S::dimension == 1 ? 0 : 20 * strain * strain;
         for (int i = 0; i < 10; ++i) {
-            Specimen<S> s = deformed();
+            Specimen<S> s = deformed(strain);
             if (!s.stored_energy()) return;
             const Tensor<S> direction = random_tensor<S>(random_);
             Specimen<S> plus = s, minus = s;
@@ -78,14 +86,14 @@ class MaterialChecks {
             const double slope = (*plus.stored_energy() - *minus.stored_energy()) / (2 * h);
             const double power =
                 static_cast<double>(determinant(s.deformation()) * contract(s.stress(), direction));
-            EXPECT_NEAR(slope, power, difference_error * modulus_);
+            EXPECT_NEAR(slope, power, (difference_error + neglected) * modulus_);
         }
     }
 
     /// In a rigid turn the stress turns along, exactly or to second order in the step. An unsymmetric
     /// stress fails too, of which only one half is stored.
     void rotation_turns_stress() {
-        if (S::dimension == 1) return;
+        if (S::dimension == 1 || !objective_) return;
         constexpr int steps = 720;
         const double angle = 2 * std::numbers::pi / steps;
         Specimen<S> s = deformed();
@@ -93,7 +101,7 @@ class MaterialChecks {
         ASSERT_GT(norm(stress), 1e-3 * modulus_)
             << "the specimen is hardly stressed: choose other parameters";
         for (int k = 1; k <= steps; ++k) {
-            s.step(spin<S>(angle), rotation<S>(angle));
+            s.step(turn<S>(angle));
             if (k != steps / 4 && k != steps) continue;
             const Tensor<S> r = rotation<S>(k * angle);
             EXPECT_LE(norm(s.stress() - r * stress * transpose(r)),
@@ -107,7 +115,7 @@ class MaterialChecks {
     void waves_are_not_faster() {
         std::vector<Specimen<S>> states{Specimen<S>(material_), deformed(), stretched(1.6), stretched(0.6)};
         states.push_back(stretched(1.6));
-        states.back().step(spin<S>(0.5), rotation<S>(0.5));
+        states.back().step(turn<S>(0.5));
         for (Specimen<S>& s : states) {
             const double speed = static_cast<double>(s.wave_speed());
             ASSERT_TRUE(std::isfinite(speed));
@@ -172,10 +180,10 @@ class MaterialChecks {
   private:
     static double norm(const Tensor<S>& t) { return std::sqrt(static_cast<double>(contract(t, t))); }
 
-    Specimen<S> deformed() {
+    Specimen<S> deformed(double strain = 0.2) {
         Specimen<S> s(material_);
         const Tensor<S> direction = random_tensor<S>(random_);
-        for (int i = 0; i < 4; ++i) s.step(Real(0.05) * direction);
+        for (int i = 0; i < 4; ++i) s.step(static_cast<Real>(strain / 4) * direction);
         return s;
     }
     Specimen<S> stretched(double stretch) const {
@@ -187,12 +195,14 @@ class MaterialChecks {
     }
 
     const Material<S>& material_;
+    bool objective_;
     double modulus_;  ///< Pa
     std::mt19937 random_{1};
 };
 
 /// Runs all checks in all spaces. `own`: the material's object as in a resolved scene.
-inline void check_material(const Registry& registry, const Json& own) {
+inline void check_material(const Registry& registry, const Json& own,
+                           MaterialLaw law = MaterialLaw::objective) {
     constexpr const char* modes[] = {"bar", "plane strain", "axisymmetric", "solid"};
     for (const Mode mode : {Mode::bar, Mode::plane_strain, Mode::axisymmetric, Mode::solid}) {
         for (const bool single : {false, true}) {
@@ -201,7 +211,7 @@ inline void check_material(const Registry& registry, const Json& own) {
                          (single ? ", single precision" : ", double precision"));
             with_space(id, [&]<class S>() {
                 const Parameters::Context context{id, ".", &registry, nullptr};
-                MaterialChecks<S>(*registry.make<Material<S>>("material", own, context)).all();
+                MaterialChecks<S>(*registry.make<Material<S>>("material", own, context), law).all();
             });
         }
     }

@@ -3,12 +3,15 @@
 #include "every_plugin.hpp"
 #include "plugins.hpp"
 
+#include <Eigen/Geometry>
+
 namespace matpoint::conformance {
 namespace {
 
 std::vector<Json> every_shape() {
     std::vector<Json> shapes = every_plugin("shape_function");
-    shapes.push_back({{"type", "gimp"}, {"domain", "uniform"}});
+    for (const char* domain : {"stretched", "uniform"})
+        shapes.push_back({{"type", "gimp"}, {"domain", domain}});
     shapes.push_back({{"type", "bspline"}, {"order", 3}});
     return shapes;
 }
@@ -127,6 +130,43 @@ TEST(Gimp, ContiguousDomainsFollowTheDeformation) {
     const auto particles = particles_of(*fixed, {0.1}, 1.5);
     EXPECT_FALSE(particles.has(Field::deformation_gradient));
     EXPECT_DOUBLE_EQ(particles.column(Field::half_size)[0], 0.1);
+}
+
+/// Half-lengths at the start of a step, of a domain that began with `initial` and is deformed by `f`.
+Eigen::Vector2d stretched_domain(const Eigen::Matrix2d& f, const Eigen::Vector2d& initial) {
+    const auto shape =
+        make<ShapeFunction<PlaneStrain>>("shape_function", {{"type", "gimp"}, {"domain", "stretched"}});
+    Particles<PlaneStrain> particles("body");
+    shape->declare(particles);
+    particles.resize(1);
+    for (int a = 0; a < 2; ++a) *particles.column(Field::initial_half_size, a) = initial[a];
+    for (int c = 0; c < 4; ++c) *particles.column(Field::deformation_gradient, c) = f.data()[c];
+    shape->start_step(make_patch<PlaneStrain>(), particles);
+    return particles.vector(Field::half_size, 0);
+}
+
+TEST(Gimp, StretchedDomainsFollowStretchesButNotTurns) {
+    const Eigen::Vector2d square(0.1, 0.1), oblong(0.1, 0.2);
+    const Eigen::Matrix2d stretch = Eigen::Vector2d(1.5, 0.8).asDiagonal();
+    EXPECT_LT((stretched_domain(stretch, oblong) - Eigen::Vector2d(0.15, 0.16)).norm(), 1e-15);  // eq. 63
+    for (double angle = 0; angle < 7; angle += 0.1)
+        EXPECT_LT((stretched_domain(Eigen::Rotation2Dd(angle).matrix(), square) - square).norm(), 1e-15);
+    const Eigen::Matrix2d quarter = Eigen::Rotation2Dd(std::acos(-1.0) / 2).matrix();
+    EXPECT_LT((stretched_domain(quarter * stretch, oblong) - Eigen::Vector2d(0.16, 0.15)).norm(), 1e-15);
+}
+
+/// A box of half-lengths l has the second moments l^2 / 3; those of the deformed domain by Gauss points.
+TEST(Gimp, StretchedDomainsKeepSecondMoments) {
+    const Eigen::Matrix2d f{{1.2, 0.5}, {-0.3, 0.7}};
+    const Eigen::Vector2d initial(0.1, 0.2);
+    Eigen::Array2d moments = Eigen::Array2d::Zero();
+    for (const double xi : {-1.0, 1.0})
+        for (const double eta : {-1.0, 1.0}) {
+            const Eigen::Vector2d point =
+                f * Eigen::Vector2d(xi * initial[0], eta * initial[1]) / std::sqrt(3.0);
+            moments += point.array().square() / 4;
+        }
+    EXPECT_LT((stretched_domain(f, initial).array().square() / 3 - moments).matrix().norm(), 1e-16);
 }
 
 TEST(Gimp, WithOneParticleACellIsTheQuadraticSpline) {

@@ -2,6 +2,7 @@
 
 #include <matpoint/material.hpp>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -40,11 +41,10 @@ class Specimen {
     Real state(int k, Index p = 0) const { return particles_.column(first_state_ + k, 0)[p]; }
 
     /// All particles: F = (I + gradient) F.
-    void step(const Tensor<S>& gradient) { step(gradient, Tensor<S>::identity() + gradient); }
-    /// The increment of F need not be that of the gradient: in a rigid turn it is a rotation.
-    void step(const Tensor<S>& gradient, const Tensor<S>& increment) {
+    void step(const Tensor<S>& gradient) {
         const auto n = static_cast<std::size_t>(particles_.size());
-        step(std::vector<Tensor<S>>(n, gradient), std::vector<Tensor<S>>(n, increment), batch_size);
+        step(std::vector<Tensor<S>>(n, gradient),
+             std::vector<Tensor<S>>(n, Tensor<S>::identity() + gradient), batch_size);
     }
     /// One of each for every particle, in batches of `extent`.
     void step(const std::vector<Tensor<S>>& gradients, const std::vector<Tensor<S>>& increments,
@@ -115,7 +115,7 @@ typename S::Vector random_direction(std::mt19937& random) {
     return n.normalized();
 }
 
-/// Rotation in the plane, or about an oblique axis in 3D; and the spin that is its rate.
+/// Rotation in the plane, or about an oblique axis in 3D.
 template <class S>
 Tensor<S> rotation(double angle) {
     Tensor<S> r = Tensor<S>::identity();
@@ -127,9 +127,23 @@ Tensor<S> rotation(double angle) {
                       .cast<typename S::Real>();
     return r;
 }
+/// Gradient of a step that is this rotation and nothing else.
 template <class S>
-Tensor<S> spin(double rate) {
-    return typename S::Real(rate / std::sin(1.0)) * skew(rotation<S>(1));
+Tensor<S> turn(double angle) {
+    return rotation<S>(angle) - Tensor<S>::identity();
+}
+
+/// Gradient of a step of one second that adds the logarithmic strain `strain`, which is symmetric, and does
+/// not turn: exp(strain) - I.
+template <class S>
+Tensor<S> straining(const Tensor<S>& strain) {
+    const Eigen::SelfAdjointEigenSolver<typename S::Matrix> principal(strain.plane);
+    Tensor<S> gradient;
+    gradient.plane = principal.eigenvectors() *
+                     principal.eigenvalues().array().expm1().matrix().asDiagonal() *
+                     principal.eigenvectors().transpose();
+    if constexpr (S::has_normal) gradient.normal = std::expm1(strain.normal);
+    return gradient;
 }
 
 }  // namespace matpoint::conformance

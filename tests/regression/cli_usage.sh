@@ -4,7 +4,7 @@ source "$(dirname "$0")/expect.bash"
 
 expect 0 --help
 says "$out" "usage: matpoint VERB"
-for verb in run restart validate list describe schema test new_plugin; do
+for verb in run restart validate list describe schema test study limits new_plugin; do
     says "$out" "$verb"
     "$matpoint" $verb --help >help.txt || fail "matpoint $verb --help"
     grep -qi usage help.txt || fail "matpoint $verb --help does not say how it is used"

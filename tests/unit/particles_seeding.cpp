@@ -178,6 +178,19 @@ TYPED_TEST(ParticlesSeeding, TakesListedPointsAsTheyAre) {
     EXPECT_FLOAT_EQ(static_cast<float>(sum(particles, Field::mass)), static_cast<float>(500 * 3 * volume));
 }
 
+TYPED_TEST(ParticlesSeeding, TakesTheDomainsOfListedPoints) {
+    using S = TypeParam;
+    auto particles = make_particles<S>();
+    Eigen::Vector3d x(1, 1, 1);
+    for (int missing = S::dimension; missing < 3; ++missing) x[missing] = 0;
+    const Eigen::Vector3d half_size(0.25, 0.5, 0.125);
+    seed(particles, make_patch<S>(), Cloud({{x, 1, {0, 0, 0}, half_size}}), {1, 1, 1}, 500);
+    for (int a = 0; a < S::dimension; ++a) {
+        EXPECT_EQ(static_cast<double>(particles.vector(Field::half_size, 0)[a]), half_size[a]);
+        EXPECT_EQ(static_cast<double>(particles.vector(Field::initial_half_size, 0)[a]), half_size[a]);
+    }
+}
+
 TYPED_TEST(ParticlesSeeding, RefusesAListedPointOutsideTheGrid) {
     using S = TypeParam;
     auto particles = make_particles<S>();

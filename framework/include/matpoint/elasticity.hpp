@@ -46,7 +46,7 @@ inline Schema& add_elastic_constants(Schema& schema) {
               });
 }
 
-/// The stress carried along by the spin W = skew L of a step: Q sigma Q^T with the rotation
+/// The stress carried along by the spin W = skew L of the middle of a step: Q sigma Q^T with the rotation
 /// Q = (I - A)^-1 (I + A), A = W dt/2, of [Hughes & Winget 1980]. It integrates W sigma - sigma W to
 /// second order and keeps the stress's invariants whatever the step.
 template <class S>
@@ -62,13 +62,43 @@ Tensor<S> rotated_stress(const Tensor<S>& stress, const Tensor<S>& velocity_grad
     }
 }
 
-/// Stress after a step of dt (s) with the Jaumann rate lambda tr(D) I + 2 mu D + W sigma - sigma W.
+/// L (I + L dt/2)^-1, the gradient with respect to the middle of a step from where L was taken by I + L dt.
+/// It changes its sign if the step is taken back, and of a rotation it is the spin alone. L itself has a
+/// strain of L^2 dt^2 / 2 too much, always with the same sign, which every vibration and every turn would
+/// leave behind.
+template <class S>
+Tensor<S> midstep_gradient(const Tensor<S>& velocity_gradient, typename S::Real dt) {
+    const Tensor<S> half = Tensor<S>::identity() + (dt / 2) * velocity_gradient;
+    Tensor<S> middle;
+    middle.plane.noalias() = velocity_gradient.plane * half.plane.inverse();
+    if constexpr (S::has_normal) middle.normal = velocity_gradient.normal / half.normal;
+    return middle;
+}
+
+/// Stress after a step of dt (s) with the Jaumann rate lambda tr(D) I + 2 mu D + W sigma - sigma W, to second
+/// order: D and W are those of the middle of the step [Hughes & Winget 1980], and the stress turns after one
+/// half of the strain and before the other, so that a step taken back restores it.
 template <class S>
 Tensor<S> hypoelastic_stress(const Lame<S>& lame, const Tensor<S>& stress, const Tensor<S>& velocity_gradient,
                              typename S::Real dt) {
-    const Tensor<S> strain = dt * symmetric(velocity_gradient);
-    return rotated_stress(stress, velocity_gradient, dt) +
-           (lame.lambda * trace(strain)) * Tensor<S>::identity() + (2 * lame.mu) * strain;
+    const Tensor<S> middle = midstep_gradient(velocity_gradient, dt);
+    const Tensor<S> half_strain = (dt / 2) * symmetric(middle);
+    const Tensor<S> half =
+        (lame.lambda * trace(half_strain)) * Tensor<S>::identity() + (2 * lame.mu) * half_strain;
+    return rotated_stress(stress + half, middle, dt) + half;
+}
+
+/// Largest eigenvalue of F F^T in the plane, the square of the largest stretch there: exact in 1D and 2D, an
+/// upper bound in 3D [Wolkowicz & Styan 1980]; independent of rotation.
+template <class S>
+typename S::Real largest_squared_stretch(const Tensor<S>& f) {
+    using Real = typename S::Real;
+    using Matrix = typename S::Matrix;
+    constexpr Real d = S::dimension;
+    const Matrix b = f.plane * f.plane.transpose();
+    const Real mean = b.trace() / d;
+    const Matrix deviator = b - mean * Matrix::Identity();
+    return mean + std::sqrt((d - 1) / d * deviator.squaredNorm());
 }
 
 /// Largest sqrt((lambda + 2 mu) / rho) of a batch, m/s; sqrt(E / rho) in a bar.

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -15,6 +16,8 @@ struct PointCloud {
         Eigen::Vector3d position;
         double volume;             ///< m^3 (m^2 in plane strain, m in 1D)
         Eigen::Vector3d velocity;  ///< m/s, added to the body's
+        /// Half-lengths of its domain, m; by default those of a square or cube of its volume.
+        std::optional<Eigen::Vector3d> half_size{};
     };
     std::vector<Point> points;
 };

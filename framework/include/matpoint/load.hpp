@@ -1,5 +1,6 @@
 #pragma once
 
+#include <matpoint/exact_solution.hpp>
 #include <matpoint/shape_function.hpp>
 
 namespace matpoint {
@@ -11,6 +12,7 @@ struct LoadContext {
     Patch<S>& patch;
     std::span<Particles<S>> bodies;
     const ShapeFunction<S>& shape;
+    const ExactSolution* exact_solution = nullptr;  ///< the scene's, or null
 };
 
 /// A force that acts from outside: on the nodes' mass, on particles, on a surface.

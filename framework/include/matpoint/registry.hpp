@@ -64,10 +64,15 @@ class Registry {
     void grid(std::string type) {
         spatial<C>("grid", std::move(type));
     }
-    /// Geometries and outputs work in double precision and three coordinates, whatever the space.
+    /// Geometries, exact solutions and outputs work in double precision and three coordinates, whatever the
+    /// space.
     template <class C>
     void geometry(std::string type) {
         plain<C>("geometry", std::move(type));
+    }
+    template <class C>
+    void exact_solution(std::string type) {
+        plain<C>("exact_solution", std::move(type));
     }
     template <class C>
     void output(std::string type) {

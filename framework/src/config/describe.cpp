@@ -75,6 +75,8 @@ std::string describe_text(const Kind& kind, const std::string& type, const Schem
     if (!doc.empty()) text += doc + "\n";
     const std::string parameters = table(parameters_of(kind, schema), "  ");
     if (!parameters.empty()) text += "\nParameters\n" + parameters;
+    if (kind.decides_accuracy)
+        text += "\nWhat it costs and gains beside the others: framework/docs/what_accuracy_costs.md\n";
     const std::vector<const Rule*> rules = rules_of(kind, schema);
     if (!rules.empty()) text += "\nRules\n";
     for (const Rule* rule : rules) {

@@ -20,6 +20,25 @@ Schema with_name() {
     return Schema().text("name", {.doc = "What probes call the load", .optional = true});
 }
 
+Schema with_measure() {
+    Schema schema;
+    schema
+        .add("body", ParameterType::references,
+             {.doc = "The body, or bodies, that it is the solution for", .section = "bodies"})
+        .choice("quantity",
+                {.doc = "What is compared: of the particles, or the velocity projected to the nodes",
+                 .paper = "[Wallstedt & Guilkey 2008, eq. 64; eq. A.2 for nodes]",
+                 .default_value = "displacement",
+                 .choices = {"displacement", "velocity", "stress", "nodal_velocity"}})
+        .boolean("relative", {.doc = "Whether deviations are divided by the exact value at their place",
+                              .default_value = false})
+        .add("within", ParameterType::component,
+             {.doc = "Where it is measured: initial positions of particles, or nodes; by default everywhere",
+              .optional = true,
+              .kind = "geometry"});
+    return schema;
+}
+
 Schema with_interval() {
     Schema schema;
     schema
@@ -32,16 +51,17 @@ Schema with_interval() {
 std::vector<Kind> make_kinds() {
     return {
         {"grid", "grid", "Background grid", Schema()},
-        {"shape_function", "shape_function", "Grid basis and particle domain", Schema()},
-        {"transfer", "transfer", "How velocity goes to the grid and back", Schema()},
-        {"integrator", "integrator", "Order of the phases of a step", Schema()},
+        {"shape_function", "shape_function", "Grid basis and particle domain", Schema(), true},
+        {"transfer", "transfer", "How velocity goes to the grid and back", Schema(), true},
+        {"integrator", "integrator", "Order of the phases of a step", Schema(), true},
         {"material", "materials", "Constitutive model", with_density()},
         {"geometry", "", "Region that a body fills or a condition holds in", Schema()},
         {"load", "loads", "Body force or traction", with_name()},
         {"contact", "contacts", "Interaction between bodies", Schema()},
         {"boundary_condition", "boundary_conditions", "Condition on grid faces or in a region",
          with_place_and_name()},
-        {"exact_solution", "exact_solution", "Known solution that errors are measured against", Schema()},
+        {"exact_solution", "exact_solution", "Known solution that errors are measured against",
+         with_measure()},
         {"output", "outputs", "Files written during a run", with_interval()},
     };
 }

@@ -14,6 +14,7 @@ struct Kind {
     std::string section;  ///< the scene's key, "boundary_conditions"; "" if only parts of the scene use it
     std::string doc;
     Schema common;
+    bool decides_accuracy = false;  ///< whether its components are chosen for accuracy against cost
 };
 
 /// All kinds, in the order of SCENE.md.

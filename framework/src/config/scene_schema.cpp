@@ -22,7 +22,8 @@ Schema space_schema() {
 }
 
 Schema time_schema() {
-    return Schema("Simulated time and its step")
+    Schema schema("Simulated time and its step");
+    schema
         .number("end",
                 {.unit = "s", .doc = "The run ends with the first step at or past it", .greater_than = 0})
         .number("step", {.unit = "s", .doc = "Fixed time step", .optional = true, .greater_than = 0})
@@ -33,9 +34,19 @@ Schema time_schema() {
              .optional = true,
              .at_most = 2,
              .greater_than = 0})
+        .number(
+            "wave_speed",
+            {.unit = "m/s",
+             .doc = "Speed that `cfl` refers to, for a constant step; by default the largest speed of a wave "
+                    "plus that of a particle, at every step",
+             .optional = true,
+             .greater_than = 0})
         .integer(
             "max_steps",
             {.doc = "The run ends after so many steps, wherever it is", .optional = true, .at_least = 1});
+    return schema.refuse(
+        "/wave_speed", "belongs to `cfl`; with `step` it has no meaning",
+        [](const Json& own, const Json&) { return own.contains("wave_speed") && own.contains("step"); });
 }
 
 Schema body_schema() {
@@ -48,6 +59,12 @@ Schema body_schema() {
         .add("velocity", ParameterType::profiles,
              {.unit = "m/s", .doc = "Initial velocity by position", .default_value = 0})
         .add("geometry", ParameterType::component, {.doc = "The region to fill", .kind = "geometry"});
+}
+
+Schema accuracy_schema() {
+    return Schema(
+               "How accurate the result should be; answered with a recommendation, the scene runs as it is")
+        .number("target", {.doc = "Relative error of what the scene is about", .greater_than = 0});
 }
 
 Schema checkpoint_schema() {
@@ -109,6 +126,10 @@ Schema make_scene_schema() {
         .add("exact_solution", ParameterType::component,
              {.doc = "Turns error measurement on", .optional = true, .kind = "exact_solution"})
         .add("outputs", ParameterType::components, {.doc = "Files", .default_value = none, .kind = "output"})
+        .add("accuracy", ParameterType::object,
+             {.doc = "Accuracy that is wanted; answered with a recommendation",
+              .optional = true,
+              .nested = nested(accuracy_schema())})
         .add("checkpoint", ParameterType::object,
              {.doc = "Saved states", .optional = true, .nested = nested(checkpoint_schema())})
         .add("health", ParameterType::object,

@@ -135,8 +135,9 @@ std::vector<Seed> seeds_of_points(const Patch<S>& patch, const PointCloud& cloud
                 fmt::format("body \"{}\": point {} of its geometry's {}, at [{}], is outside the grid", body,
                             i + 1, cloud.points.size(),
                             fmt::join(point.position.data(), point.position.data() + S::dimension, ", ")));
-        const double half_size = 0.5 * std::pow(point.volume / width<S>(point.position), 1.0 / S::dimension);
-        seeds.push_back({point.position, point.velocity, Eigen::Vector3d::Constant(half_size), point.volume});
+        const double size = std::pow(point.volume / width<S>(point.position), 1.0 / S::dimension);
+        seeds.push_back({point.position, point.velocity,
+                         point.half_size.value_or(Eigen::Vector3d::Constant(size / 2)), point.volume});
     }
     return seeds;
 }

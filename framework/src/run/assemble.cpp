@@ -1,5 +1,6 @@
 #include "run/assemble.hpp"
 
+#include <matpoint/exact_solution.hpp>
 #include <matpoint/geometry.hpp>
 
 #include "particles/seeding.hpp"
@@ -121,6 +122,56 @@ void check_observed(Maker& maker, const std::vector<ScheduledOutput>& outputs,
         }
 }
 
+/// What the scene's exact solution says of the bodies at time 0. Their geometries are the reference
+/// configuration.
+template <class S>
+void start_exactly(const ExactSolution& solution, Particles<S>& particles) {
+    using Real = typename S::Real;
+    const auto tensor = [](const Eigen::Matrix3d& full) {
+        Tensor<S> t;
+        t.plane = full.topLeftCorner<S::dimension, S::dimension>().template cast<Real>();
+        if constexpr (S::has_normal) t.normal = static_cast<Real>(full(2, 2));
+        return t;
+    };
+    for (Index p = 0; p < particles.size(); ++p) {
+        Eigen::Vector3d reference = Eigen::Vector3d::Zero();
+        reference.head<S::dimension>() = particles.position(p).template cast<double>();
+        const Eigen::Vector3d u = solution.displacement(reference, 0), v = solution.velocity(reference, 0);
+        const Eigen::Matrix3d f = solution.deformation_gradient(reference, 0);
+        for (int a = 0; a < S::dimension; ++a) {
+            particles.column(Field::position, a)[p] += static_cast<Real>(u[a]);
+            particles.column(Field::velocity, a)[p] = static_cast<Real>(v[a]);
+        }
+        particles.column(Field::volume)[p] *= static_cast<Real>(f.determinant());
+        ParticleBatch<S>::store_stress(particles, p, tensor(solution.stress(reference, 0)));
+        if (particles.has(Field::deformation_gradient))
+            ParticleBatch<S>::store_deformation(particles, p, tensor(f));
+    }
+}
+
+/// L = dv/dX F^-1 at time 0, from differences of v.
+template <class S>
+void set_exact_gradient(const ExactSolution& solution, Particles<S>& particles, Field field, double reach) {
+    for (Index p = 0; p < particles.size(); ++p) {
+        Eigen::Vector3d x = Eigen::Vector3d::Zero();
+        x.head<S::dimension>() = particles.vector(Field::initial_position, p).template cast<double>();
+        Eigen::Matrix3d slope = Eigen::Matrix3d::Zero();
+        for (int a = 0; a < S::dimension; ++a) {
+            const Eigen::Vector3d step = reach * Eigen::Vector3d::Unit(a);
+            slope.col(a) = (solution.velocity(x + step, 0) - solution.velocity(x - step, 0)) / (2 * reach);
+        }
+        const Eigen::Matrix3d gradient = slope * solution.deformation_gradient(x, 0).inverse();
+        for (int a = 0; a < S::dimension; ++a)
+            for (int c = 0; c < S::dimension; ++c)
+                particles.column(field, c + S::dimension * a)[p] =
+                    static_cast<typename S::Real>(gradient(c, a));
+    }
+}
+
+bool is_zero(const Json& velocity) {
+    return std::ranges::all_of(velocity, [](const Json& component) { return component == 0; });
+}
+
 /// The fields that the outputs and checks of a scene look at.
 template <class S>
 void require_observed(const Maker& maker, const std::vector<ScheduledOutput>& outputs,
@@ -156,6 +207,13 @@ Assembly<S> assemble(const Scene& scene, const Registry& registry) {
     for (std::size_t k = 0; k < scene.resolved.at("loads").size(); ++k)
         components.loads.push_back(maker.make<Load<S>>("load", "/loads/" + std::to_string(k)));
     make_conditions(maker, components.conditions);
+    if (scene.resolved.contains("exact_solution")) {
+        const Json& own = maker.json("/exact_solution");
+        components.exact_solution = maker.make<ExactSolution>("exact_solution", "/exact_solution");
+        const auto within =
+            own.contains("within") ? maker.make<Geometry>("geometry", "/exact_solution/within") : nullptr;
+        result.error.emplace(components.exact_solution, own, within);
+    }
     make_outputs(maker, result.outputs);
     std::map<std::string, std::shared_ptr<Material<S>>> materials;
     for (const auto& [name, unused] : scene.resolved.at("materials").items())
@@ -181,6 +239,11 @@ Assembly<S> assemble(const Scene& scene, const Registry& registry) {
         components.transfer->declare(particles);
         if (material->uses_deformation_gradient()) particles.require(Field::deformation_gradient);
         for (const auto& load : components.loads) load->declare(particles);
+        const bool exact = components.exact_solution && components.exact_solution->covers(name);
+        if (exact) particles.require(Field::initial_position);
+        if (exact && !is_zero(body.at("velocity")))
+            maker.mistake(join_pointer("/bodies", name) + "/velocity",
+                          "the exact solution gives this body its velocity: leave it out");
         require_observed(maker, result.outputs, particles);
         result.first_states.push_back(particles.field_count());
         for (const StateVariable& variable : material->state())
@@ -227,6 +290,15 @@ Assembly<S> assemble(const Scene& scene, const Registry& registry) {
     check_observed(maker, result.outputs, result.bodies);
     maker.throw_if_errors();
     for (const auto& load : components.loads) load->start(patch, result.bodies);
+    if (const ExactSolution* solution = components.exact_solution.get())
+        for (Particles<S>& particles : result.bodies) {
+            if (!solution->covers(particles.body())) continue;
+            start_exactly(*solution, particles);
+            for (const Field field : {Field::velocity_gradient, Field::affine_velocity})
+                if (particles.has(field))
+                    set_exact_gradient(*solution, particles, field,
+                                       1e-3 * static_cast<double>(patch.cell_size()[0]));
+        }
     return result;
 }
 

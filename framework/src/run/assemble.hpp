@@ -1,5 +1,6 @@
 #pragma once
 
+#include "run/exact_error.hpp"
 #include "run/simulation.hpp"
 #include "step/engine.hpp"
 
@@ -12,6 +13,7 @@ struct Assembly {
     std::vector<Particles<S>> bodies;
     std::vector<int> first_states;  ///< slot of each body's first material state variable
     std::vector<ScheduledOutput> outputs;
+    std::optional<ExactError<S>> error;  ///< if the scene has an exact solution
 };
 
 /// Makes a scene's components, gives particles the fields that these ask for, and seeds the bodies.

@@ -5,6 +5,15 @@
 
 namespace matpoint {
 
+template <class S>
+Eigen::Matrix3d full_stress(const Particles<S>& particles, Index p) {
+    const Tensor<S> stress = ParticleBatch<S>::load_stress(particles, p);
+    Eigen::Matrix3d full = Eigen::Matrix3d::Zero();
+    full.topLeftCorner<S::dimension, S::dimension>() = stress.plane.template cast<double>();
+    if constexpr (S::has_normal) full(2, 2) = static_cast<double>(stress.normal);
+    return full;
+}
+
 namespace {
 
 template <class S>
@@ -16,15 +25,6 @@ struct Derived {
     int components;
     Value<S> value;
 };
-
-template <class S>
-Eigen::Matrix3d full_stress(const Particles<S>& particles, Index p) {
-    const Tensor<S> stress = ParticleBatch<S>::load_stress(particles, p);
-    Eigen::Matrix3d full = Eigen::Matrix3d::Zero();
-    full.topLeftCorner<S::dimension, S::dimension>() = stress.plane.template cast<double>();
-    if constexpr (S::has_normal) full(2, 2) = static_cast<double>(stress.normal);
-    return full;
-}
 
 template <class S>
 const std::vector<Derived<S>>& derived_fields() {
@@ -125,6 +125,7 @@ std::vector<double> field_column(const Particles<S>& particles, const std::strin
 
 #define MATPOINT_INSTANTIATE(S)                                             \
     template std::vector<std::string> field_names(const Particles<S>&);     \
+    template Eigen::Matrix3d full_stress(const Particles<S>&, Index);       \
     template int field_components(const Particles<S>&, const std::string&); \
     template std::vector<double> field_column(const Particles<S>&, const std::string&, int);
 MATPOINT_FOR_EACH_SPACE(MATPOINT_INSTANTIATE)

@@ -20,6 +20,10 @@ int field_components(const Particles<S>& particles, const std::string& field);
 template <class S>
 std::vector<double> field_column(const Particles<S>& particles, const std::string& field, int component);
 
+/// Cauchy stress of a particle, Pa; what the space has beyond its plane is the last component.
+template <class S>
+Eigen::Matrix3d full_stress(const Particles<S>& particles, Index p);
+
 /// The carried field that a name needs, "displacement" -> initial_position; empty if none beyond the basic
 /// ones.
 std::optional<Field> field_behind(const std::string& name);

@@ -118,6 +118,7 @@ class Run {
 
     void steps(RunResult& result, Progress& progress) {
         double refuge_due = refuge_interval;
+        if (simulation_->step() == 0) simulation_->measure_error();
         while (!simulation_->finished()) {
             if (signals_received() ||
                 (options_.stop_after_steps && simulation_->step() >= *options_.stop_after_steps)) {
@@ -129,6 +130,7 @@ class Run {
                 const StepTimer timer(clock_);
                 simulation_->advance();
             }
+            simulation_->measure_error();
             ++clock_.steps;
             clock_.particle_steps += static_cast<double>(simulation_->particle_count());
             const auto& outputs = simulation_->outputs();
@@ -173,7 +175,11 @@ class Run {
         try {
             auto again = Simulation::create(scene_, catalogue_);
             if (const auto start = latest_state(broken_step)) again->restore(*start);
-            while (again->step() < broken_step) again->advance();
+            if (again->step() == 0) again->measure_error();
+            while (again->step() < broken_step) {
+                again->advance();
+                again->measure_error();
+            }
             simulation_ = std::move(again);
             result.reason += "\nThe last good state is saved in " + save().string();
         } catch (const std::exception& failure) {

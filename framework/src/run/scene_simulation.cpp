@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace matpoint {
 
@@ -25,6 +26,8 @@ SceneSimulation<S>::SceneSimulation(const Scene& scene, PluginCatalogue& catalog
         step_length_ = time.at("step").get<double>();
     else
         cfl_ = time.at("cfl").get<double>();
+    if (time.contains("wave_speed"))
+        step_length_ = std::exchange(cfl_, 0) * smallest_cell_ / time.at("wave_speed").get<double>();
     for (const PluginLibrary& plugin : catalogue.opened()) plugins_[plugin.name()] = plugin.version();
 
     engine_.prepare();
@@ -123,6 +126,31 @@ Conservation SceneSimulation<S>::conservation() const {
 }
 
 template <class S>
+void SceneSimulation<S>::measure_error() {
+    if (!assembly_.error) return;
+    const ExactError<S>& error = *assembly_.error;
+    const bool half_a_step_behind = assembly_.components.integrator->staggered() && step_ > 0;
+    const double velocity_time = half_a_step_behind ? time_ - last_time_step_ / 2 : time_;
+    if (error.of_nodes()) {
+        engine_.project_velocity(velocity_time);
+        error.add_nodes(engine_.patch(), time_, velocity_time, numbers_.error);
+    } else if (step_ > 0) {
+        for (const Particles<S>& particles : assembly_.bodies)
+            error.add_particles(particles, time_, velocity_time, numbers_.error);
+    }
+}
+
+template <class S>
+std::optional<Json> SceneSimulation<S>::error() const {
+    if (!assembly_.error) return {};
+    const ErrorSums& sums = numbers_.error;
+    return Json{{"quantity", assembly_.error->quantity()},
+                {"l1", sums.l1()},
+                {"l2", sums.l2()},
+                {"linf", sums.largest}};
+}
+
+template <class S>
 void SceneSimulation<S>::remove_strays() {
     const std::vector<Stray> strays = engine_.strays();
     if (strays.empty()) return;
@@ -169,6 +197,8 @@ void SceneSimulation<S>::guard_step(double dt) {
     template SceneSimulation<S>::SceneSimulation(const Scene&, PluginCatalogue&); \
     template bool SceneSimulation<S>::finished() const;                           \
     template void SceneSimulation<S>::advance();                                  \
+    template void SceneSimulation<S>::measure_error();                            \
+    template std::optional<Json> SceneSimulation<S>::error() const;               \
     template double SceneSimulation<S>::next_time_step() const;                   \
     template long SceneSimulation<S>::estimated_steps() const;                    \
     template Conservation SceneSimulation<S>::conservation() const;

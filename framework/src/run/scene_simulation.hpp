@@ -18,6 +18,9 @@ class SceneSimulation final : public Simulation {
     double next_time_step() const override;
     long estimated_steps() const override;
 
+    void measure_error() override;
+    std::optional<Json> error() const override;
+
     CheckpointData state() const override;
     void restore(const CheckpointData& state) override;
 
@@ -57,6 +60,7 @@ class SceneSimulation final : public Simulation {
         std::array<double, 3> given_momentum{};  // kg m/s, at the start and by all impulses since
         double largest_momentum = 0, momentum_drift = 0;
         double wave_speed = 0, particle_speed = 0;  // m/s
+        ErrorSums error;
         /// Every number by name, for checkpoints.
         template <class Numbers_, class Visitor>
         static void visit(Numbers_& n, const Visitor& visitor);

@@ -128,6 +128,10 @@ void SceneSimulation<S>::Numbers::visit(Numbers_& n, const Visitor& visitor) {
     visitor("momentum_drift", n.momentum_drift);
     visitor("wave_speed", n.wave_speed);
     visitor("particle_speed", n.particle_speed);
+    visitor("error_count", n.error.count);
+    visitor("error_sum", n.error.sum);
+    visitor("error_squares", n.error.squares);
+    visitor("error_largest", n.error.largest);
     for (std::size_t c = 0; c < 3; ++c) visitor(fmt::format("given_momentum_{}", c), n.given_momentum[c]);
 }
 

@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -64,6 +65,11 @@ class Simulation : public RunView {
     virtual std::size_t memory_bytes() const = 0;
     virtual std::vector<std::string> particle_fields() const = 0;
     virtual std::vector<std::string> node_fields() const = 0;
+    /// Norms of the deviation from the scene's exact solution so far; empty if it has none.
+    virtual std::optional<Json> error() const = 0;
+    /// Compares the present state with the exact solution; called once before the first step and once after
+    /// each.
+    virtual void measure_error() = 0;
     /// Steps left if the time step stays as it is, for the ETA.
     virtual long estimated_steps() const = 0;
     using RunView::particle_count;

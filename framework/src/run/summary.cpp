@@ -3,16 +3,22 @@
 #include <matpoint/parallel.hpp>
 
 #include <fmt/format.h>
-#include <sys/resource.h>
+
+#include <fstream>
+#include <string>
 
 namespace matpoint {
 
 namespace {
 
+/// Largest resident size of this program so far. Not getrusage's, which begins with what the process had
+/// before it became this program.
 std::size_t peak_memory_bytes() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+    std::ifstream status("/proc/self/status");
+    std::size_t kibibytes = 0;
+    for (std::string line; std::getline(status, line);)
+        if (line.starts_with("VmHWM:")) kibibytes = std::stoul(line.substr(6));
+    return kibibytes * 1024;
 }
 
 const char* name(RunStatus status) {
@@ -45,6 +51,7 @@ Json summarise(const Simulation& simulation, const PluginCatalogue& catalogue, c
         {"cpu_seconds", clock.step_cpu_seconds},
         {"nanoseconds_per_particle_step",
          clock.particle_steps > 0 ? 1e9 * clock.step_wall_seconds / clock.particle_steps : 0.0},
+        {"particle_steps", clock.particle_steps},
         {"threads", threads()},
         {"bytes_per_particle", simulation.bytes_per_particle()},
         {"peak_memory_bytes", peak_memory_bytes()},
@@ -64,6 +71,7 @@ Json summarise(const Simulation& simulation, const PluginCatalogue& catalogue, c
           {"strain_energy", energies.strain},
           {"external_work", energies.external}}},
     };
+    if (const auto error = simulation.error()) summary["error"] = *error;
     for (const PluginLibrary& plugin : catalogue.opened()) summary["loaded_plugins"].push_back(plugin.name());
     if (!result.reason.empty()) summary["reason"] = result.reason;
     if (!simulation.health_warnings().empty()) summary["warnings"] = simulation.health_warnings();
@@ -98,6 +106,13 @@ void print_closing_table(const Simulation& simulation, const RunResult& result) 
     fmt::print("  {:<14} {:>14.6g}\n  {:<14} {:>14.6g}\n  {:<14} {:>14.6g}\n  {:<14} {:>14.6g} {:>12.2e}\n",
                "kinetic", e.kinetic, "strain", e.strain, "external", e.external, "energy balance", e.total(),
                conservation.at("energy_drift").get<double>());
+    if (s.contains("error")) {
+        const auto& error = s.at("error");
+        fmt::print("  {:<14} {:>14} of {}: l1 {:.3g}, l2 {:.3g}\n", "error, largest",
+                   fmt::format("{:.3g}", error.at("linf").get<double>()),
+                   error.at("quantity").get<std::string>(), error.at("l1").get<double>(),
+                   error.at("l2").get<double>());
+    }
 }
 
 }  // namespace matpoint

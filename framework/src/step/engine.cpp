@@ -62,6 +62,13 @@ void Engine<S>::prepare() {
 }
 
 template <class S>
+void Engine<S>::project_velocity(double time) {
+    time_ = velocity_from_ = time;
+    prepare();
+    project({.velocity = true});
+}
+
+template <class S>
 Index Engine<S>::node_tasks() const {
     return (patch_.node_count() + nodes_per_task - 1) / nodes_per_task;
 }
@@ -127,7 +134,7 @@ template <class S>
 void Engine<S>::apply_loads() {
     if (components_.loads.empty()) return;
     patch_.clear(NodeField::external_force);
-    LoadContext<S> context{time_, patch_, bodies_, *components_.shape};
+    LoadContext<S> context{time_, patch_, bodies_, *components_.shape, components_.exact_solution.get()};
     for (const auto& load : components_.loads) load->apply(context);
     for (int c = 0; c < S::dimension; ++c) {
         const Real* force = patch_.column(NodeField::external_force, c);

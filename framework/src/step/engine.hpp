@@ -23,6 +23,7 @@ struct Components {
     std::vector<std::shared_ptr<Material<S>>> materials;  ///< one per body
     std::vector<std::shared_ptr<Load<S>>> loads;
     std::vector<PlacedCondition<S>> conditions;
+    std::shared_ptr<ExactSolution> exact_solution;  ///< null if the scene has none
 };
 
 /// A particle whose deformation or velocity stopped making sense in a step.
@@ -71,6 +72,9 @@ class Engine final : public Phases<S> {
     void prepare();
     const Tally& tally() const { return tally_; }
     const std::vector<Fault>& faults() const { return faults_; }
+    /// Mass and velocity of the nodes as the present particles give them, as a step that begins at `time` (s)
+    /// would have them.
+    void project_velocity(double time);
     /// Kinetic energy, momentum and speeds of the present state, before the first step.
     void measure();
 

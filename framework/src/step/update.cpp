@@ -63,6 +63,13 @@ class Engine<S>::BatchUpdate final : public GatherSink<S> {
         }
     }
 
+    /// sigma : L (W/m^3) at the end of a step, where the same velocities have the gradient L (I + L dt)^-1;
+    /// to first order in dt, which leaves the work that is summed from it of second order.
+    static double end_power(const ParticleBatch<S>& batch, Index p, Real dt) {
+        const Tensor<S> gradient = batch.velocity_gradient(p);
+        return static_cast<double>(contract(batch.stress(p), gradient - dt * (gradient * gradient)));
+    }
+
     /// F = (I + L dt) F, V = det(I + L dt) V, then the stress [Wallstedt & Guilkey 2008, eq. 11-13].
     void strain(const ParticleBatch<S>& batch) {
         Real* volume = particles_.column(Field::volume);
@@ -87,7 +94,7 @@ class Engine<S>::BatchUpdate final : public GatherSink<S> {
         }
         material_.update_stress(batch, dt_);
         for (Index p = batch.begin(); p < batch.end(); ++p)
-            power += static_cast<double>(volume[p] * contract(batch.stress(p), batch.velocity_gradient(p)));
+            power += static_cast<double>(volume[p]) * end_power(batch, p, dt_);
         sums_.strain_work += power * static_cast<double>(dt_) / 2;
         if (!std::isfinite(power)) report(batch.begin(), false, 0);
         add_wave_speed(batch);

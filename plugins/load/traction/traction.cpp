@@ -1,12 +1,11 @@
-#include "face.hpp"
-
 #include <matpoint/history.hpp>
 #include <matpoint/load.hpp>
 #include <matpoint/plugin.hpp>
 
+#include "../surface_force.hpp"
+
 #include <algorithm>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace matpoint {
@@ -59,9 +58,9 @@ class Traction final : public Load<S> {
             const Vector force =
                 (static_cast<Real>(factor) * area * stretch * traction_.template cast<Real>()).eval();
             if (at_surface_)
-                add_at_surface(context, particles, p, force);
+                add_at_surface(context, face_, particles, p, force);
             else
-                sources.push_back({particles.position(p), half_size(particles, p), force});
+                sources.push_back({particles.position(p), present_half_size(particles, p), force});
         }
         context.shape.spread(context.patch, sources, NodeField::external_force);
     }
@@ -69,41 +68,6 @@ class Traction final : public Load<S> {
   private:
     Particles<S>& body(std::span<Particles<S>> bodies) const {
         return *std::find_if(bodies.begin(), bodies.end(), [&](const auto& b) { return b.body() == body_; });
-    }
-
-    static Vector half_size(const Particles<S>& particles, Index p) {
-        return particles.vector(particles.has(Field::half_size) ? Field::half_size : Field::initial_half_size,
-                                p);
-    }
-
-    /// t A N_i(x_p + d), on the nodes that have mass: the stencil of a particle whose shape does not reach
-    /// the surface may end before it. A node with hardly any mass would turn its force into a velocity
-    /// that does work on nothing; its part goes to the others too.
-    void add_at_surface(LoadContext<S>& context, const Particles<S>& particles, Index p,
-                        const Vector& force) const {
-        Patch<S>& patch = context.patch;
-        Vector half = half_size(particles, p);
-        half[face_.axis()] = 0;
-        const auto stencil = context.shape.stencil(patch, face_.surface_point(particles, p), half);
-        const Real* mass = patch.column(NodeField::mass);
-        const Real least = static_cast<Real>(0.01) * particles.column(Field::mass)[p];
-        std::vector<std::pair<int, Real>> nodes;
-        Real sum = 0;
-        for (std::size_t k = 0; k < stencil.nodes.size(); ++k) {
-            const int i = patch.node_index(stencil.nodes[k]);
-            if (i < 0 || !(mass[i] > least)) continue;
-            nodes.emplace_back(i, stencil.weights[k]);
-            sum += stencil.weights[k];
-        }
-        if (!(sum > static_cast<Real>(1e-3))) {
-            const PointSource<S> at_particle{particles.position(p), half_size(particles, p), force};
-            context.shape.spread(patch, {&at_particle, 1}, NodeField::external_force);
-            return;
-        }
-        for (int a = 0; a < S::dimension; ++a) {
-            Real* column = patch.column(NodeField::external_force, a);
-            for (const auto& [i, weight] : nodes) column[i] += force[a] * weight / sum;
-        }
     }
 
     std::string body_;

@@ -60,15 +60,8 @@ class NeoHookean final : public Material<S> {
 
     /// Upper bound of J times the eigenvalues of the acoustic tensor of any direction, Pa (README).
     static Real stiffness(const Lame<S>& lame, const Tensor<S>& f) {
-        using Matrix = typename S::Matrix;
-        constexpr Real d = S::dimension;
-        const Matrix b = f.plane * f.plane.transpose();
-        const Real mean = b.trace() / d;
-        const Matrix deviator = b - mean * Matrix::Identity();
-        // Largest eigenvalue of B, exact in 1D and 2D [Wolkowicz & Styan 1980]; independent of rotation.
-        const Real largest = mean + std::sqrt((d - 1) / d * deviator.squaredNorm());
         const Real volumetric = lame.lambda * (1 - std::log(determinant(f))) + lame.mu;
-        return std::max(Real(0), volumetric) + lame.mu * largest;
+        return std::max(Real(0), volumetric) + lame.mu * largest_squared_stretch(f);
     }
 
     Lame<S> lame_;

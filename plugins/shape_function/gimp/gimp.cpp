@@ -3,6 +3,7 @@
 #include <matpoint/tensor_product_shape.hpp>
 
 #include <cmath>
+#include <string>
 
 namespace matpoint {
 namespace {
@@ -47,24 +48,27 @@ class Gimp final : public DelegatingShape<S> {
   public:
     using typename ShapeFunction<S>::Real;
 
-    explicit Gimp(const Parameters& parameters) : contiguous_(parameters.text("domain") == "contiguous") {}
+    explicit Gimp(const Parameters& parameters) : domain_(parameters.text("domain")) {}
 
     static Schema schema() {
         Schema schema(
             "Generalized interpolation: the tent function averaged over each particle's domain, "
             "a box aligned with the axes.",
             "[Wallstedt & Guilkey 2008, eq. 1-7]");
-        schema.choice("domain", {.doc = "Whether domains follow the deformation (contiguous, cpGIMP) or keep "
-                                        "their initial size (uniform, uGIMP).",
-                                 .paper = "[Wallstedt & Guilkey 2008, eq. 7, 63]",
-                                 .default_value = "contiguous",
-                                 .choices = {"contiguous", "uniform"}});
+        schema.choice(
+            "domain",
+            {.doc = "Whether domains follow the deformation by its diagonal (contiguous, cpGIMP), by the "
+                    "lengths of its rows, which a rotation leaves alone (stretched), or keep their initial "
+                    "size (uniform, uGIMP).",
+             .paper = "[Wallstedt & Guilkey 2008, eq. 7, 63]",
+             .default_value = "contiguous",
+             .choices = {"contiguous", "stretched", "uniform"}});
         return schema;
     }
 
     void declare(Particles<S>& particles) const override {
         particles.require(Field::half_size);
-        if (!contiguous_) return;
+        if (domain_ == "uniform") return;
         particles.require(Field::initial_half_size);
         particles.require(Field::deformation_gradient);
     }
@@ -74,7 +78,8 @@ class Gimp final : public DelegatingShape<S> {
         constexpr Real limit = Real(0.5) * (1 + 16 * std::numeric_limits<Real>::epsilon());
         bool wide = false;
         for (int a = 0; a < S::dimension; ++a) {
-            if (contiguous_) follow_deformation(particles, a);
+            if (domain_ == "contiguous") follow_diagonal(particles, a);
+            if (domain_ == "stretched") follow_stretch(particles, a);
             const Real* l = particles.column(Field::half_size, a);
             Real largest = 0;
             for (Index p = 0; p < particles.size(); ++p) largest = std::max(largest, l[p]);
@@ -87,11 +92,26 @@ class Gimp final : public DelegatingShape<S> {
   private:
     /// l^n = l^0 diag(F^n) [Wallstedt & Guilkey 2008, eq. 7, 63]. It vanishes where F turns by 90
     /// degrees: not below 5 % of l^0.
-    static void follow_deformation(Particles<S>& particles, int a) {
+    static void follow_diagonal(Particles<S>& particles, int a) {
         const Real* f = particles.column(Field::deformation_gradient, a * (S::dimension + 1));
         const Real* initial = particles.column(Field::initial_half_size, a);
         Real* l = particles.column(Field::half_size, a);
         for (Index p = 0; p < particles.size(); ++p) l[p] = initial[p] * std::max(std::abs(f[p]), Real(0.05));
+    }
+    /// l_a^2 = sum_b (F_ab l^0_b)^2: the box with the second moments of the deformed domain. That is
+    /// eq. 63 where the stretch is along the axes, and is the same whichever way a square domain turns.
+    static void follow_stretch(Particles<S>& particles, int a) {
+        using Column = Eigen::Array<Real, Eigen::Dynamic, 1>;
+        const auto column = [&](Field field, int c) {
+            return Eigen::Map<const Column>(particles.column(field, c), particles.size());
+        };
+        Eigen::Map<Column> l(particles.column(Field::half_size, a), particles.size());
+        l.setZero();
+        for (int b = 0; b < S::dimension; ++b)
+            l += (column(Field::deformation_gradient, a + b * S::dimension) *
+                  column(Field::initial_half_size, b))
+                     .square();
+        l = l.sqrt();
     }
 
     const ShapeFunction<S>& shape_of(const Particles<S>& particles) const override {
@@ -103,7 +123,7 @@ class Gimp final : public DelegatingShape<S> {
         return wide_shape_;
     }
 
-    bool contiguous_;
+    std::string domain_;
     std::vector<const Particles<S>*> wide_;  ///< bodies with a domain larger than a cell
     TensorProductShape<S, AveragedTent<3>> narrow_shape_;
     TensorProductShape<S, AveragedTent<4>> wide_shape_;
@@ -112,6 +132,6 @@ class Gimp final : public DelegatingShape<S> {
 }  // namespace
 }  // namespace matpoint
 
-MATPOINT_PLUGIN("gimp", "1.0.0") {
+MATPOINT_PLUGIN("gimp", "1.1.0") {
     registry.shape_function<matpoint::Gimp>("gimp");
 }

@@ -21,6 +21,8 @@ class Face {
     explicit Face(const std::string& name) : axis_(name[0] - 'x'), sign_(name.ends_with("max") ? 1 : -1) {}
 
     int axis() const { return axis_; }
+    /// Outward along the axis, 1 or -1.
+    double sign() const { return sign_; }
 
     /// Coordinate of the outermost side of any particle's domain, m.
     double plane(const Particles<S>& particles) const {

@@ -1,0 +1,81 @@
+#include "run/exact_error.hpp"
+
+#include "run/derived_fields.hpp"
+
+#include <Eigen/LU>
+
+namespace matpoint {
+
+namespace {
+
+template <class S>
+Eigen::Vector3d spatial(const typename S::Vector& v) {
+    Eigen::Vector3d full = Eigen::Vector3d::Zero();
+    full.head<S::dimension>() = v.template cast<double>();
+    return full;
+}
+
+template <class Value>
+double distance(const Value& found, const Value& exact, bool relative) {
+    const double deviation = (found - exact).norm();
+    return relative && deviation > 0 ? deviation / exact.norm() : deviation;
+}
+
+/// The material point X that is at x at a time: X + u(X) = x, by Newton's method
+/// [Wallstedt & Guilkey 2008, eq. A.1].
+Eigen::Vector3d reference_point(const ExactSolution& solution, const Eigen::Vector3d& x, double time) {
+    Eigen::Vector3d reference = x;
+    for (int iteration = 0; iteration < 30; ++iteration) {
+        const Eigen::Vector3d miss = reference + solution.displacement(reference, time) - x;
+        if (miss.norm() <= 1e-15 * (x.norm() + miss.norm())) break;
+        reference -= solution.deformation_gradient(reference, time).inverse() * miss;
+    }
+    return reference;
+}
+
+}  // namespace
+
+template <class S>
+double ExactError<S>::deviation(const Particles<S>& particles, Index p, double time,
+                                double velocity_time) const {
+    const auto reference_in_space = particles.vector(Field::initial_position, p);
+    const Eigen::Vector3d reference = spatial<S>(reference_in_space);
+    if (quantity_ == "velocity")
+        return distance(spatial<S>(particles.velocity(p)), solution_->velocity(reference, velocity_time),
+                        relative_);
+    if (quantity_ == "stress")
+        return distance(full_stress(particles, p), solution_->stress(reference, time), relative_);
+    const typename S::Vector displacement = particles.position(p) - reference_in_space;
+    return distance(spatial<S>(displacement), solution_->displacement(reference, time), relative_);
+}
+
+template <class S>
+void ExactError<S>::add_particles(const Particles<S>& particles, double time, double velocity_time,
+                                  ErrorSums& sums) const {
+    if (!solution_->covers(particles.body())) return;
+    for (Index p = 0; p < particles.size(); ++p) {
+        if (within_ && !within_->contains(spatial<S>(particles.vector(Field::initial_position, p)))) continue;
+        sums.add(deviation(particles, p, time, velocity_time));
+    }
+}
+
+template <class S>
+void ExactError<S>::add_nodes(const Patch<S>& patch, double time, double velocity_time,
+                              ErrorSums& sums) const {
+    const auto* mass = patch.column(NodeField::mass);
+    for (int i = 0; i < static_cast<int>(patch.node_count()); ++i) {
+        const auto node = patch.node_coordinates(i);
+        if (!(mass[i] > 0) || !patch.inside(node)) continue;
+        const Eigen::Vector3d x = spatial<S>(patch.node_position(node));
+        if (within_ && !within_->contains(x)) continue;
+        typename S::Vector v;
+        for (int c = 0; c < S::dimension; ++c) v[c] = patch.column(NodeField::velocity, c)[i];
+        const Eigen::Vector3d reference = reference_point(*solution_, x, time);
+        sums.add(distance(spatial<S>(v), solution_->velocity(reference, velocity_time), relative_));
+    }
+}
+
+#define MATPOINT_INSTANTIATE(S) template class ExactError<S>;
+MATPOINT_FOR_EACH_SPACE(MATPOINT_INSTANTIATE)
+
+}  // namespace matpoint
