@@ -1,6 +1,6 @@
 // Axes of plots: places of values, ticks, ranges without extent.
 
-#include "study/plot_axis.hpp"
+#include "report/plot_axis.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // The files that reports consist of.
 
-#include "study/limits_report.hpp"
-#include "study/report.hpp"
-#include "study/report_rows.hpp"
-#include "study/study_plots.hpp"
+#include "report/limits_report.hpp"
+#include "report/report.hpp"
+#include "report/report_rows.hpp"
+#include "report/study_plots.hpp"
 
 #include "report_fixture.hpp"
 

@@ -1,7 +1,7 @@
 // Pictures of plots, read back as XML.
 
-#include "study/slope_guides.hpp"
-#include "study/svg_plot.hpp"
+#include "report/slope_guides.hpp"
+#include "report/svg_plot.hpp"
 
 #include "report_fixture.hpp"
 

@@ -24,12 +24,6 @@ std::string field(const Json& value) {
 
 }  // namespace
 
-void write_text(const std::filesystem::path& file, const std::string& text) {
-    OutputFile out(file);
-    out.write(text);
-    out.commit();
-}
-
 std::string csv(const Json& report) {
     const Json& rows = report.at("variants");
     std::vector<std::string> entries;

@@ -1,8 +1,9 @@
 #include "study/limits.hpp"
 
+#include "report/limits_report.hpp"
+#include "report/text_file.hpp"
 #include "study/files.hpp"
 #include "study/limit_search.hpp"
-#include "study/limits_report.hpp"
 #include "study/progress.hpp"
 
 #include <fmt/format.h>

@@ -1,8 +1,9 @@
 #include "study/study.hpp"
 
+#include "report/report.hpp"
+#include "report/text_file.hpp"
 #include "study/files.hpp"
 #include "study/progress.hpp"
-#include "study/report.hpp"
 #include "study/rows.hpp"
 
 #include <fmt/format.h>

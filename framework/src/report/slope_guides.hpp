@@ -1,6 +1,6 @@
 #pragma once
 
-#include "study/svg_plot.hpp"
+#include "report/svg_plot.hpp"
 
 #include <vector>
 

@@ -1,4 +1,4 @@
-#include "study/plot_style.hpp"
+#include "report/plot_style.hpp"
 
 #include <fmt/format.h>
 

@@ -1,10 +1,10 @@
-#include "study/report.hpp"
+#include "report/report.hpp"
 
-#include "study/files.hpp"
-#include "study/html_page.hpp"
-#include "study/markup.hpp"
-#include "study/report_rows.hpp"
-#include "study/study_plots.hpp"
+#include "report/html_page.hpp"
+#include "report/markup.hpp"
+#include "report/report_rows.hpp"
+#include "report/study_plots.hpp"
+#include "report/text_file.hpp"
 
 #include <matpoint/output_file.hpp>
 

@@ -2,7 +2,7 @@
 
 #include <matpoint/schema.hpp>
 
-#include "study/svg_plot.hpp"
+#include "report/svg_plot.hpp"
 
 #include <string>
 

@@ -1,6 +1,6 @@
-#include "study/study_plots.hpp"
+#include "report/study_plots.hpp"
 
-#include "study/report_rows.hpp"
+#include "report/report_rows.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
-#include "study/svg_plot.hpp"
+#include "report/svg_plot.hpp"
 
-#include "study/markup.hpp"
-#include "study/plot_axis.hpp"
-#include "study/slope_guides.hpp"
+#include "report/markup.hpp"
+#include "report/plot_axis.hpp"
+#include "report/slope_guides.hpp"
 
 #include <fmt/format.h>
 

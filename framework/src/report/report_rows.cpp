@@ -1,4 +1,4 @@
-#include "study/report_rows.hpp"
+#include "report/report_rows.hpp"
 
 #include <fmt/format.h>
 

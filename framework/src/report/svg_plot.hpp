@@ -1,6 +1,6 @@
 #pragma once
 
-#include "study/plot_style.hpp"
+#include "report/plot_style.hpp"
 
 #include <optional>
 #include <string>

@@ -1,6 +1,6 @@
-#include "study/plot_axis.hpp"
+#include "report/plot_axis.hpp"
 
-#include "study/markup.hpp"
+#include "report/markup.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,10 +1,10 @@
-#include "study/limits_report.hpp"
+#include "report/limits_report.hpp"
 
-#include "study/files.hpp"
-#include "study/html_page.hpp"
-#include "study/markup.hpp"
-#include "study/plot_axis.hpp"
-#include "study/report_rows.hpp"
+#include "report/html_page.hpp"
+#include "report/markup.hpp"
+#include "report/plot_axis.hpp"
+#include "report/report_rows.hpp"
+#include "report/text_file.hpp"
 
 #include <matpoint/output_file.hpp>
 

@@ -2,7 +2,7 @@
 
 #include <matpoint/schema.hpp>
 
-#include "study/plot_style.hpp"
+#include "report/plot_style.hpp"
 
 #include <optional>
 #include <string>

@@ -1,4 +1,4 @@
-#include "study/markup.hpp"
+#include "report/markup.hpp"
 
 #include <matpoint/output_file.hpp>
 

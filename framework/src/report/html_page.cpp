@@ -1,6 +1,6 @@
-#include "study/html_page.hpp"
+#include "report/html_page.hpp"
 
-#include "study/markup.hpp"
+#include "report/markup.hpp"
 
 #include <matpoint/output_file.hpp>
 

@@ -1,4 +1,4 @@
-#include "study/slope_guides.hpp"
+#include "report/slope_guides.hpp"
 
 #include <algorithm>
 #include <cmath>
