@@ -43,8 +43,8 @@ class Specimen {
     /// All particles: F = (I + gradient) F.
     void step(const Tensor<S>& gradient) {
         const auto n = static_cast<std::size_t>(particles_.size());
-        step(std::vector<Tensor<S>>(n, gradient),
-             std::vector<Tensor<S>>(n, Tensor<S>::identity() + gradient), batch_size);
+        step(std::vector<Tensor<S>>(n, gradient), std::vector<Tensor<S>>(n, Tensor<S>::identity() + gradient),
+             batch_size);
     }
     /// One of each for every particle, in batches of `extent`.
     void step(const std::vector<Tensor<S>>& gradients, const std::vector<Tensor<S>>& increments,

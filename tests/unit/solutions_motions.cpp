@@ -40,7 +40,8 @@ TEST_F(SolutionsMotions, StressOfUniformStretchIsTheMaterials) {
          {elastic("neo_hookean"), elastic("linear_elastic", "small"), elastic("linear_elastic", "rate")})
         for (const Mode mode : {Mode::bar, Mode::plane_strain, Mode::axisymmetric, Mode::solid}) {
             const auto body =
-                make({{"type", "uniform_stretch"}, {"course", "smooth"}, {"stretch", 1.6}, {"duration", 2}}, material, mode);
+                make({{"type", "uniform_stretch"}, {"course", "smooth"}, {"stretch", 1.6}, {"duration", 2}},
+                     material, mode);
             with_space({mode, false}, [&]<class S>() {
                 if constexpr (std::is_same_v<typename S::Real, double>)
                     for (const double time : {0.7, 2.0, 5.0}) {
@@ -55,7 +56,8 @@ TEST_F(SolutionsMotions, StressOfUniformStretchIsTheMaterials) {
 
 TEST_F(SolutionsMotions, UniformStretchStartsAndEndsAtRest) {
     const auto body =
-        make({{"type", "uniform_stretch"}, {"course", "smooth"}, {"stretch", 0.5}, {"duration", 2}}, elastic("neo_hookean"));
+        make({{"type", "uniform_stretch"}, {"course", "smooth"}, {"stretch", 0.5}, {"duration", 2}},
+             elastic("neo_hookean"));
     const Eigen::Vector3d x(3, 0, 0);
     for (const double t : {0.0, 2.0, 3.0}) {
         EXPECT_EQ(body->velocity(x, t)[0], 0);
