@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -24,7 +25,6 @@ struct Element {
 
 /// All elements in the order of their beginnings. Throws std::runtime_error unless it is well-formed.
 inline std::vector<Element> elements_of(const std::string& xml) {
-    static const std::regex attribute(R"re(\s+([a-z-]+|viewBox)="([^"<]*)")re", std::regex::icase);
     static const std::regex entity("&(amp|lt|gt|quot|#39);");
     std::vector<Element> all;
     std::vector<std::string> open;
@@ -49,13 +49,19 @@ inline std::vector<Element> elements_of(const std::string& xml) {
         }
         const std::size_t name_end = tag.find_first_of(" /\n");
         Element element{tag.substr(0, name_end), {}, text};
-        std::string rest = name_end == tag.npos ? "" : tag.substr(name_end);
-        for (std::sregex_iterator i(rest.begin(), rest.end(), attribute), none; i != none; ++i) {
-            if (!element.attributes.emplace((*i)[1], (*i)[2]).second) fail("an attribute twice in " + tag);
+        // Not by a regular expression: libstdc++'s recurse at every letter, and points of a line have
+        // thousands.
+        std::size_t place = std::min(name_end, tag.size());
+        while (place < tag.size() && tag[place] != '/') {
+            const std::size_t begin = tag.find_first_not_of(" \n", place), equals = tag.find("=\"", begin);
+            const std::size_t close = equals == tag.npos ? tag.npos : tag.find('"', equals + 2);
+            if (begin == place || close == tag.npos) fail("no attribute: " + tag.substr(place));
+            const std::string value = tag.substr(equals + 2, close - equals - 2);
+            if (!element.attributes.emplace(tag.substr(begin, equals - begin), value).second)
+                fail("an attribute twice in " + tag);
+            place = close + 1;
         }
-        rest = std::regex_replace(rest, attribute, "");
-        if (rest != "" && rest != "/") fail("no attribute: " + rest);
-        if (rest != "/") open.push_back(element.name);
+        if (place == tag.size()) open.push_back(element.name);
         all.push_back(element);
     }
     if (!open.empty()) fail("no end of <" + open.back() + ">");
