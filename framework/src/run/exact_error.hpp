@@ -20,7 +20,7 @@ struct ErrorSums {
         count += 1;
         sum += deviation;
         squares += deviation * deviation;
-        if (!(deviation <= largest)) largest = deviation;  // what is not a number counts too
+        if (std::isnan(deviation) || deviation > largest) largest = deviation;  // not a number stays
     }
     double l1() const { return count > 0 ? sum / count : 0; }
     double l2() const { return count > 0 ? std::sqrt(squares / count) : 0; }
