@@ -4,6 +4,7 @@
 #include "step/engine.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace matpoint {
@@ -63,11 +64,43 @@ class Engine<S>::BatchUpdate final : public GatherSink<S> {
         }
     }
 
-    /// sigma : L (W/m^3) at the end of a step, where the same velocities have the gradient L (I + L dt)^-1;
-    /// to first order in dt, which leaves the work that is summed from it of second order.
-    static double end_power(const ParticleBatch<S>& batch, Index p, Real dt) {
-        const Tensor<S> gradient = batch.velocity_gradient(p);
-        return static_cast<double>(contract(batch.stress(p), gradient - dt * (gradient * gradient)));
+    /// Column of the stress's component (a, b).
+    static constexpr int stress_component(int a, int b) {
+        if (a == b) return a;
+        if constexpr (S::dimension == 2) return 3;
+        return a + b == 1 ? 3 : a + b == 3 ? 4 : 5;
+    }
+
+    /// Sum of V sigma : L (W) at the end of the step, where the same velocities have the gradient
+    /// L (I + L dt)^-1; L - dt L^2 leaves the work that is summed from it of second order in dt. Column by
+    /// column, as all particles of all scenes come by here.
+    double end_power(const ParticleBatch<S>& batch) const {
+        constexpr int d = S::dimension;
+        const auto count = static_cast<std::size_t>(batch.end() - batch.begin());
+        const auto& gradients = batch.gathered().velocity_gradient;
+        const auto gradient = [&](int a, int b) {
+            return gradients[static_cast<std::size_t>(a + d * b)].data();
+        };
+        std::array<Real, batch_size> density{};  // W/m^3
+        for (int a = 0; a < d; ++a)
+            for (int b = 0; b < d; ++b) {
+                const Real* stress = particles_.column(Field::stress, stress_component(a, b)) + batch.begin();
+                for (std::size_t k = 0; k < count; ++k) {
+                    Real end = gradient(a, b)[k];
+                    for (int c = 0; c < d; ++c) end -= dt_ * gradient(a, c)[k] * gradient(c, b)[k];
+                    density[k] += stress[k] * end;
+                }
+            }
+        if constexpr (S::axisymmetric) {
+            const Real* stress = particles_.column(Field::stress, 2) + batch.begin();
+            const Real* hoop = gradients[d * d].data();
+            for (std::size_t k = 0; k < count; ++k)
+                density[k] += stress[k] * (hoop[k] - dt_ * hoop[k] * hoop[k]);
+        }
+        const Real* volume = particles_.column(Field::volume) + batch.begin();
+        double power = 0;
+        for (std::size_t k = 0; k < count; ++k) power += static_cast<double>(volume[k] * density[k]);
+        return power;
     }
 
     /// F = (I + L dt) F, V = det(I + L dt) V, then the stress [Wallstedt & Guilkey 2008, eq. 11-13].
@@ -93,8 +126,7 @@ class Engine<S>::BatchUpdate final : public GatherSink<S> {
                     particles_.column(Field::velocity_gradient, c)[p] = gradient.plane.data()[c];
         }
         material_.update_stress(batch, dt_);
-        for (Index p = batch.begin(); p < batch.end(); ++p)
-            power += static_cast<double>(volume[p]) * end_power(batch, p, dt_);
+        power += end_power(batch);
         sums_.strain_work += power * static_cast<double>(dt_) / 2;
         if (!std::isfinite(power)) report(batch.begin(), false, 0);
         add_wave_speed(batch);
