@@ -6,6 +6,7 @@
 
 #include "config/diagnostics.hpp"
 #include "config/nearest.hpp"
+#include "registry/instruction_set.hpp"
 #include "registry/plugin_library.hpp"
 
 #include <fmt/format.h>
@@ -60,7 +61,7 @@ int call(const std::vector<std::string>& arguments) {
         return exit_done;
     }
     if (name == "--version") {
-        std::cout << "matpoint " MATPOINT_VERSION "\n";
+        std::cout << "matpoint " MATPOINT_VERSION " (" << instruction_set() << ")\n";
         return exit_done;
     }
     const auto verb =

@@ -3,7 +3,15 @@
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/matpoint)
 
-install(TARGETS matpoint matpoint_index matpoint_cli EXPORT matpoint_targets)
+install(TARGETS matpoint matpoint_headers matpoint_index matpoint_cli EXPORT matpoint_targets)
+# None may be left from an earlier installation: the dynamic linker would take it.
+install(CODE "file(GLOB left_over \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_LIBDIR}/glibc-hwcaps/*/libmatpoint.so*\")
+              if(left_over)
+                file(REMOVE \${left_over})
+              endif()")
+foreach(set IN LISTS MATPOINT_HIGHER_INSTRUCTION_SETS)
+  install(TARGETS matpoint.${set} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/glibc-hwcaps/${set} NAMELINK_SKIP)
+endforeach()
 install(EXPORT matpoint_targets NAMESPACE matpoint:: DESTINATION ${package_dir})
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/framework/include/matpoint DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/tests/conformance/

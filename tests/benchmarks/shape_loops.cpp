@@ -1,11 +1,9 @@
 // Time of the particle-grid loops for each shape function, per particle: a block of 32768 jittered
 // particles in 3D, 8 a cell, sorted as a simulation sorts them.
 
-#include "registry/catalogue.hpp"
+#include "loops.hpp"
 
 #include <matpoint/shape_function.hpp>
-
-#include <benchmark/benchmark.h>
 
 #include <algorithm>
 #include <numeric>
@@ -63,13 +61,13 @@ class Block {
     void sort() {
         std::vector<typename Patch<S>::Coordinates> bases(count);
         shape_.base_nodes(patch, particles, 0, count, bases.data());
-        const auto key = [&](Index p) {
+        const auto key = [&](std::uint32_t p) {
             auto base = bases[static_cast<std::size_t>(p)], block = base;
             for (int& b : block) b = Patch<S>::block_of(b);
             return std::pair(patch.block_number(block), base);
         };
-        std::vector<Index> order(count);
-        std::iota(order.begin(), order.end(), Index(0));
+        std::vector<std::uint32_t> order(count);
+        std::iota(order.begin(), order.end(), 0U);
         std::ranges::stable_sort(order, {}, key);
         particles.permute(order);
     }
@@ -78,23 +76,8 @@ class Block {
 };
 
 template <class S>
-std::shared_ptr<ShapeFunction<S>> make(const Json& json) {
-    static PluginCatalogue catalogue;
-    const std::string kind = "shape_function";
-    catalogue.find(kind, json.at("type"));
-    const Parameters::Context context{SpaceId::of<S>(), {}, &catalogue.registry(), nullptr};
-    return catalogue.registry().make<ShapeFunction<S>>(kind, json, context);
-}
-
-void report(benchmark::State& state, Index particles) {
-    using benchmark::Counter;
-    state.counters["time/particle"] =
-        Counter(static_cast<double>(state.iterations() * particles), Counter::kIsRate | Counter::kInvert);
-}
-
-template <class S>
 void scatter(benchmark::State& state, const Json& json) {
-    const auto shape = make<S>(json);
+    const auto shape = make<ShapeFunction, S>("shape_function", json);
     Block<S> block(*shape);
     const Scatter what{.mass = true, .momentum = NodeField::velocity, .internal_force = true};
     for (auto _ : state) shape->scatter(block.patch, block.particles, 0, block.count, what);
@@ -108,7 +91,7 @@ struct Sink final : GatherSink<S> {
 
 template <class S>
 void gather(benchmark::State& state, const Json& json) {
-    const auto shape = make<S>(json);
+    const auto shape = make<ShapeFunction, S>("shape_function", json);
     Block<S> block(*shape);
     const Gather what{.velocity = NodeField::velocity, .acceleration = true, .gradient = NodeField::velocity};
     Sink<S> sink;
@@ -128,12 +111,8 @@ int main(int argc, char** argv) {
         {"cubic", {{"type", "bspline"}, {"order", 3}}},
     };
     for (const auto& [name, json] : shapes) {
-        const auto title = [&](const char* rest) { return std::string(name) + rest; };
-        benchmark::RegisterBenchmark(title("/double/scatter").c_str(), scatter<Solid>, json);
-        benchmark::RegisterBenchmark(title("/double/gather").c_str(), gather<Solid>, json);
-        benchmark::RegisterBenchmark(title("/single/scatter").c_str(), scatter<SolidSingle>, json);
-        benchmark::RegisterBenchmark(title("/single/gather").c_str(), gather<SolidSingle>, json);
+        add(name + std::string("/scatter"), scatter<Solid>, scatter<SolidSingle>, json);
+        add(name + std::string("/gather"), gather<Solid>, gather<SolidSingle>, json);
     }
-    benchmark::Initialize(&argc, argv);
-    benchmark::RunSpecifiedBenchmarks();
+    return run(argc, argv);
 }

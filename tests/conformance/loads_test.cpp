@@ -19,6 +19,7 @@ class Tent final : public ShapeFunction<S> {
 
     int width() const override { return 2; }
     void base_nodes(const Patch<S>&, const Particles<S>&, Index, Index, Coordinates*) const override {}
+    Coordinates base_node(const Patch<S>&, const Particles<S>&, const Vector&) const override { return {}; }
     void scatter(Patch<S>&, const Particles<S>&, Index, Index, const Scatter&) const override {}
     void gather(const Patch<S>&, const Particles<S>&, Index, Index, const Gather&,
                 GatherSink<S>&) const override {}

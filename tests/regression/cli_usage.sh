@@ -10,7 +10,7 @@ for verb in run restart validate list describe schema test study limits new_plug
     grep -qi usage help.txt || fail "matpoint $verb --help does not say how it is used"
 done
 expect 0 --version
-[[ $out =~ ^matpoint\ [0-9]+\.[0-9]+\.[0-9]+$ ]] || fail "version: $out"
+[[ $out =~ ^matpoint\ [0-9]+\.[0-9]+\.[0-9]+\ \(.+\)$ ]] || fail "version: $out"
 
 expect 2
 says "$err" "usage: matpoint VERB"

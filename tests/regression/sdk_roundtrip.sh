@@ -32,7 +32,15 @@ cd "$name"
 # The scene needs the plugin.
 expect 2 "$name" matpoint validate "$name.json"
 
-cmake -S . -B build -DCMAKE_BUILD_TYPE=Release
+# What is said about the plugin's target holds for its builds for each instruction set.
+cat >>CMakeLists.txt <<end
+target_sources($name PRIVATE afterwards.cpp)
+target_compile_definitions($name PRIVATE SAID_AFTERWARDS)
+end
+printf '#ifndef SAID_AFTERWARDS\n#error\n#endif\n' >afterwards.cpp
+fewer=()
+if [[ $kind != material ]]; then fewer=(-DMATPOINT_HIGHER_INSTRUCTION_SETS=); fi  # sooner done
+cmake -S . -B build -DCMAKE_BUILD_TYPE=Release "${fewer[@]}"
 cmake --build build
 ctest --test-dir build --output-on-failure --no-tests=error
 
@@ -46,7 +54,27 @@ for run in by_folder by_file; do
     grep -q "\"$name\"" <(sed -n '/"loaded_plugins"/,/]/p' $run/summary.json) || fail "$run/summary.json does not list $name"
 done
 
+# There is a build of the plugin for each instruction set that Matpoint was built for, and the machine's best is opened.
+builds=() best=
+if [[ $kind == material ]]; then
+    for kernel in "$work"/sdk/lib/glibc-hwcaps/*/; do
+        if [[ -d $kernel ]]; then builds+=("$(basename "$kernel")/"); fi
+    done
+    set=$(matpoint --version | sed 's/.*(\(.*\))/\1/')
+    if [[ -d $work/sdk/lib/glibc-hwcaps/$set ]]; then best=$set/; fi
+fi
+for folder in "${builds[@]}" ""; do
+    [[ -f build/plugins/$folder$name.so ]] || fail "build/plugins/$folder$name.so was not built"
+done
+expect_opened() {  # FOLDER: the plugin comes from there, and from nowhere else
+    local opened
+    opened=$(LD_DEBUG=files matpoint validate "$name.json" 2>&1 | grep -o "/[^ ]*/$name\.so" | sort --unique)
+    [[ $opened == "$1/$best$name.so" ]] || fail "opened $opened, not $1/$best$name.so"
+}
+MATPOINT_PLUGIN_PATH=build/plugins expect_opened "$(realpath build)/plugins"
+
 # Installed beside the plugins that came with the SDK, it needs neither.
 cmake --install build --prefix "$work/sdk"
 expect 0 "" matpoint validate "$name.json"
+expect_opened "$(realpath "$work/sdk")/lib/matpoint/plugins"
 expect 2 "already" matpoint new_plugin "$kind" "$name" --output again

@@ -2,6 +2,7 @@
 
 #include "geometry_fixture.hpp"
 
+#include <cmath>
 #include <numbers>
 
 namespace matpoint {
@@ -46,10 +47,36 @@ TEST_F(GeometryLattice, DomainsTileTheBox) {
 
 TEST_F(GeometryLattice, RingsAreWhole) {
     ASSERT_NE(catalogue.find("geometry", "lattice"), nullptr);
-    const Json own = {{"type", "lattice"}, {"min", {0.5, 0}}, {"max", {2, 3}}, {"counts", {7, 2}}};
+    const Json own = {
+        {"type", "lattice"}, {"min", {0.5, 0}}, {"max", {2, 3}}, {"counts", {7, 2}}, {"jitter", 0}};
     const auto tube = catalogue.registry().make<Geometry>(
         "geometry", own, {{Mode::axisymmetric, false}, folder, &catalogue.registry(), nullptr});
     EXPECT_NEAR(volume(*tube), std::numbers::pi * (2 * 2 - 0.5 * 0.5) * 3, 1e-12);
+}
+
+TEST_F(GeometryLattice, JitterIsUniformBoundedAndRepeatable) {
+    const Json own = {{"type", "lattice"}, {"min", {0, 0, 0}}, {"max", {1, 2, 4}}, {"counts", {20, 20, 20}}};
+    Json shaken = own;
+    shaken["jitter"] = 0.25;
+    const auto places = make(own, 3), once = make(shaken, 3), twice = make(shaken, 3);
+    const Eigen::Vector3d spacing(0.05, 0.1, 0.2);
+    const std::size_t count = 8000;
+    ASSERT_EQ(once->points()->points.size(), count);
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d moment = Eigen::Matrix3d::Zero();
+    for (std::size_t k = 0; k < count; ++k) {
+        const PointCloud::Point& point = once->points()->points[k];
+        const Eigen::Vector3d shift =
+            (point.position - places->points()->points[k].position).cwiseQuotient(spacing);
+        ASSERT_LE(shift.cwiseAbs().maxCoeff(), 0.25 + 1e-12);
+        EXPECT_EQ(point.position, twice->points()->points[k].position);
+        EXPECT_EQ(point.volume, places->points()->points[k].volume);
+        mean += shift / static_cast<double>(count);
+        moment += shift * shift.transpose() / static_cast<double>(count);
+    }
+    // Variance of the uniform distribution, independent axes; five standard errors of 8000 samples.
+    EXPECT_NEAR(mean.cwiseAbs().maxCoeff(), 0, 5 * 0.25 / std::sqrt(3.0 * 8000));
+    EXPECT_NEAR((moment - Eigen::Matrix3d::Identity() * 0.25 * 0.25 / 3).cwiseAbs().maxCoeff(), 0, 1.5e-3);
 }
 
 TEST_F(GeometryLattice, RefusesWhatIsNoLattice) {

@@ -126,6 +126,7 @@ class OutputTest : public testing::Test {
         run.now = time;
         run.steps = step;
         output.write(run);
+        output.flush();
     }
 
     std::string text_of(const std::string& file) const {

@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 #include <matpoint/parallel.hpp>
 
+#include <array>
 #include <numbers>
 #include <set>
+#include <span>
 #include <stdexcept>
 
 namespace matpoint {
@@ -29,6 +31,29 @@ class Block final : public Geometry {
 
   private:
     double min_, max_;
+};
+
+/// Counts what it is asked.
+class CountingBlock final : public Geometry {
+  public:
+    CountingBlock(double min, double max) : block_(min, max) {}
+    Bounds bounds() const override { return block_.bounds(); }
+    bool contains(const Eigen::Vector3d&) const override {
+        ADD_FAILURE() << "asked for a single point";
+        return false;
+    }
+    std::vector<char> contains(std::span<const Eigen::Vector3d> points) const override {
+        ++calls;
+        for (const Eigen::Vector3d& x : points)
+            EXPECT_TRUE(asked.insert({x[0], x[1], x[2]}).second) << "asked twice for a point";
+        return static_cast<const Geometry&>(block_).contains(points);
+    }
+
+    mutable int calls = 0;
+    mutable std::set<std::array<double, 3>> asked;
+
+  private:
+    Block block_;
 };
 
 class Cloud final : public Geometry {
@@ -141,6 +166,22 @@ TYPED_TEST(ParticlesSeeding, GoesCellByCellWhateverTheThreads) {
         ASSERT_TRUE(left.insert(cell).second) << "cell " << cell << " comes twice";
         current = cell;
     }
+}
+
+TYPED_TEST(ParticlesSeeding, AsksForManyPointsAtATimeAndForNoneTwice) {
+    using S = TypeParam;
+    auto particles = make_particles<S>();
+    const CountingBlock block(0.5, 1.5);
+    Index velocities = 0;
+    seed(particles, make_patch<S>(), block, {2, 3, 1}, 1, [&](const Eigen::Vector3d& x) {
+        ++velocities;
+        return x;
+    });
+    EXPECT_EQ(block.calls, 1);
+    EXPECT_EQ(velocities, particles.size());
+    // Along each axis the block has 4 cells; rounding of its bounds may cost some beside them.
+    const std::size_t most = S::dimension == 1 ? 7 * 2 : S::dimension == 2 ? 7 * 7 * 6 : 7 * 7 * 7 * 6;
+    EXPECT_LE(block.asked.size(), most);
 }
 
 TYPED_TEST(ParticlesSeeding, KeepsWithinTheGrid) {

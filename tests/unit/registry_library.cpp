@@ -1,5 +1,6 @@
 // Opening one plugin: what is wrong with a broken one is said in full.
 
+#include "registry/instruction_set.hpp"
 #include "registry_fixture.hpp"
 
 #include <matpoint/plugin.hpp>
@@ -61,6 +62,49 @@ TEST_F(RegistryLibraryFile, RefusesATruncatedLibrary) {
     const fs::path file = copy("alpha", "half");
     fs::resize_file(file, 1000);
     EXPECT_SAYS(error_of_opening(file), "half.so is not a shared library");
+}
+
+class RegistryLibraryBuilds : public TemporaryFolder {
+  protected:
+    /// Another build of a plugin, for an instruction set: a copy of its library.
+    fs::path build(const fs::path& plugin, const std::string& set) const {
+        fs::create_directory(folder / set);
+        fs::copy_file(plugin, folder / set / plugin.filename());
+        return folder / set / plugin.filename();
+    }
+    static bool kernel_is_for(std::string_view set) { return instruction_set() == set; }
+};
+
+TEST_F(RegistryLibraryBuilds, OpensTheOneForTheKernelsInstructionSet) {
+    const fs::path plugin = copy("alpha", "alpha");
+    const fs::path v3 = build(plugin, "x86-64-v3"), v4 = build(plugin, "x86-64-v4");
+    EXPECT_EQ(PluginLibrary(plugin).opened_file(), kernel_is_for("x86-64-v4")   ? v4
+                                                   : kernel_is_for("x86-64-v3") ? v3
+                                                                                : plugin);
+    EXPECT_EQ(PluginLibrary(plugin).file(), plugin);
+}
+
+TEST_F(RegistryLibraryBuilds, OpensTheNextLowerOneIfThereIsNone) {
+    const fs::path plugin = copy("alpha", "alpha");
+    EXPECT_EQ(PluginLibrary(plugin).opened_file(), plugin);
+    const fs::path v3 = build(plugin, "x86-64-v3");
+    EXPECT_EQ(PluginLibrary(plugin).opened_file(),
+              kernel_is_for("x86-64-v4") || kernel_is_for("x86-64-v3") ? v3 : plugin);
+}
+
+TEST_F(RegistryLibraryBuilds, NamesTheBuildThatIsWrong) {
+    if (!kernel_is_for("x86-64-v4") && !kernel_is_for("x86-64-v3"))
+        GTEST_SKIP() << "this kernel opens no other builds";
+    const fs::path plugin = copy("alpha", "alpha");
+    fs::resize_file(build(plugin, "x86-64-v3"), 1000);
+    EXPECT_SAYS(error_of_opening(plugin), "x86-64-v3/alpha.so is not a shared library");
+}
+
+TEST_F(RegistryLibraryBuilds, MissesThePluginThoughABuildOfItIsThere) {
+    const fs::path plugin = copy("alpha", "alpha");
+    build(plugin, "x86-64-v3");
+    fs::remove(plugin);
+    EXPECT_SAYS(error_of_opening(plugin), (folder / "alpha.so").string() + " does not exist");
 }
 
 TEST(RegistryLibrary, RefusesALibraryWithoutStamp) {

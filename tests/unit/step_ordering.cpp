@@ -19,6 +19,9 @@ class Corners final : public ShapeFunction<S> {
             *out++ = {static_cast<int>(x[0]), static_cast<int>(x[1])};
         }
     }
+    Coordinates base_node(const Patch<S>&, const Particles<S>&, const Vector& x) const override {
+        return {static_cast<int>(x[0]), static_cast<int>(x[1])};
+    }
     void scatter(Patch<S>&, const Particles<S>&, Index, Index, const Scatter&) const override {}
     void gather(const Patch<S>&, const Particles<S>&, Index, Index, const Gather&,
                 GatherSink<S>&) const override {}
@@ -28,7 +31,8 @@ class Corners final : public ShapeFunction<S> {
 
 TEST(ordering, forgets_the_colours_of_a_body_with_its_ranges) {
     const Patch<S> patch({0, 0, 0}, {1, 1, 1}, {32, 32});
-    std::vector<Particles<S>> bodies{Particles<S>("block")};
+    std::vector<Particles<S>> bodies;
+    bodies.emplace_back("block");
     bodies[0].resize(1);
     bodies[0].column(Field::position, 0)[0] = bodies[0].column(Field::position, 1)[0] = 3.5;
     Ordering<S> ordering(1);

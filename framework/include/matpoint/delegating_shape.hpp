@@ -19,6 +19,10 @@ class DelegatingShape : public ShapeFunction<S> {
                     Coordinates* out) const override {
         shape_of(particles).base_nodes(patch, particles, begin, end, out);
     }
+    Coordinates base_node(const Patch<S>& patch, const Particles<S>& particles,
+                          const Vector& position) const override {
+        return shape_of(particles).base_node(patch, particles, position);
+    }
     void scatter(Patch<S>& patch, const Particles<S>& particles, Index begin, Index end,
                  const Scatter& what) const override {
         shape_of(particles).scatter(patch, particles, begin, end, what);

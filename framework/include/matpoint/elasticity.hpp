@@ -1,11 +1,9 @@
 #pragma once
 
-#include <matpoint/particles.hpp>
 #include <matpoint/schema.hpp>
+#include <matpoint/tensor.hpp>
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace matpoint {
 
@@ -49,15 +47,16 @@ inline Schema& add_elastic_constants(Schema& schema) {
 /// The stress carried along by the spin W = skew L of the middle of a step: Q sigma Q^T with the rotation
 /// Q = (I - A)^-1 (I + A), A = W dt/2, of [Hughes & Winget 1980]. It integrates W sigma - sigma W to
 /// second order and keeps the stress's invariants whatever the step.
-template <class S>
-Tensor<S> rotated_stress(const Tensor<S>& stress, const Tensor<S>& velocity_gradient, typename S::Real dt) {
+template <class S, class T>
+MATPOINT_INLINE Tensor<S, T> rotated_stress(const Tensor<S, T>& stress, const Tensor<S, T>& velocity_gradient,
+                                            typename S::Real dt) {
     if constexpr (S::dimension == 1) {
         return stress;
     } else {
-        using Real = typename S::Real;
-        const Tensor<S> a = (dt / 2) * skew(velocity_gradient);
+        const Tensor<S, T> a = (dt / 2) * skew(velocity_gradient);
         // Closed form of the inverse: A^3 = -|a|^2 A, where |a|^2 = A:A / 2.
-        const Tensor<S> q = Tensor<S>::identity() + (Real(2) / (Real(1) + contract(a, a) / 2)) * (a + a * a);
+        const Tensor<S, T> q =
+            Tensor<S, T>::identity() + (T(2) / (T(1) + contract(a, a) / T(2))) * (a + a * a);
         return q * stress * transpose(q);
     }
 }
@@ -66,48 +65,47 @@ Tensor<S> rotated_stress(const Tensor<S>& stress, const Tensor<S>& velocity_grad
 /// It changes its sign if the step is taken back, and of a rotation it is the spin alone. L itself has a
 /// strain of L^2 dt^2 / 2 too much, always with the same sign, which every vibration and every turn would
 /// leave behind.
-template <class S>
-Tensor<S> midstep_gradient(const Tensor<S>& velocity_gradient, typename S::Real dt) {
-    const Tensor<S> half = Tensor<S>::identity() + (dt / 2) * velocity_gradient;
-    Tensor<S> middle;
-    middle.plane.noalias() = velocity_gradient.plane * half.plane.inverse();
-    if constexpr (S::has_normal) middle.normal = velocity_gradient.normal / half.normal;
-    return middle;
+template <class S, class T>
+MATPOINT_INLINE Tensor<S, T> midstep_gradient(const Tensor<S, T>& velocity_gradient, typename S::Real dt) {
+    return velocity_gradient * inverse(Tensor<S, T>::identity() + (dt / 2) * velocity_gradient);
 }
 
 /// Stress after a step of dt (s) with the Jaumann rate lambda tr(D) I + 2 mu D + W sigma - sigma W, to second
 /// order: D and W are those of the middle of the step [Hughes & Winget 1980], and the stress turns after one
 /// half of the strain and before the other, so that a step taken back restores it.
-template <class S>
-Tensor<S> hypoelastic_stress(const Lame<S>& lame, const Tensor<S>& stress, const Tensor<S>& velocity_gradient,
-                             typename S::Real dt) {
-    const Tensor<S> middle = midstep_gradient(velocity_gradient, dt);
-    const Tensor<S> half_strain = (dt / 2) * symmetric(middle);
-    const Tensor<S> half =
-        (lame.lambda * trace(half_strain)) * Tensor<S>::identity() + (2 * lame.mu) * half_strain;
+template <class S, class T>
+MATPOINT_INLINE Tensor<S, T> hypoelastic_stress(const Lame<S>& lame, const Tensor<S, T>& stress,
+                                                const Tensor<S, T>& velocity_gradient, typename S::Real dt) {
+    const Tensor<S, T> middle = midstep_gradient(velocity_gradient, dt);
+    const Tensor<S, T> half_strain = (dt / 2) * symmetric(middle);
+    const Tensor<S, T> half =
+        (lame.lambda * trace(half_strain)) * Tensor<S, T>::identity() + (2 * lame.mu) * half_strain;
     return rotated_stress(stress + half, middle, dt) + half;
 }
 
 /// Largest eigenvalue of F F^T in the plane, the square of the largest stretch there: exact in 1D and 2D, an
 /// upper bound in 3D [Wolkowicz & Styan 1980]; independent of rotation.
-template <class S>
-typename S::Real largest_squared_stretch(const Tensor<S>& f) {
-    using Real = typename S::Real;
-    using Matrix = typename S::Matrix;
-    constexpr Real d = S::dimension;
-    const Matrix b = f.plane * f.plane.transpose();
-    const Real mean = b.trace() / d;
-    const Matrix deviator = b - mean * Matrix::Identity();
-    return mean + std::sqrt((d - 1) / d * deviator.squaredNorm());
+template <class S, class T>
+MATPOINT_INLINE T largest_squared_stretch(const Tensor<S, T>& f) {
+    using std::sqrt;
+    constexpr typename S::Real d = S::dimension;
+    const Tensor<S, T> b = f * transpose(f);
+    T mean = b.plane(0, 0);
+    for (int a = 1; a < S::dimension; ++a) mean += b.plane(a, a);
+    mean /= T(d);
+    T squares(0);  // of the deviator
+    for (int a = 0; a < S::dimension; ++a)
+        for (int c = 0; c < S::dimension; ++c) {
+            const T deviator = a == c ? b.plane(a, a) - mean : b.plane(a, c);
+            squares += deviator * deviator;
+        }
+    return mean + sqrt(T((d - 1) / d) * squares);
 }
 
-/// Largest sqrt((lambda + 2 mu) / rho) of a batch, m/s; sqrt(E / rho) in a bar.
-template <class S>
-typename S::Real elastic_wave_speed(const Lame<S>& lame, const ParticleBatch<S>& batch) {
-    using Real = typename S::Real;
-    Real density = std::numeric_limits<Real>::max();
-    for (Index p = batch.begin(); p < batch.end(); ++p) density = std::min(density, batch.density(p));
-    return std::sqrt((lame.lambda + 2 * lame.mu) / density);
+/// (lambda + 2 mu) / rho, the square of the speed of pressure waves, m^2/s^2; E / rho in a bar.
+template <class S, class T>
+MATPOINT_INLINE T squared_elastic_wave_speed(const Lame<S>& lame, T density) {
+    return T(lame.lambda + 2 * lame.mu) / density;
 }
 
 }  // namespace matpoint

@@ -75,27 +75,13 @@ class Patch {
             number = number * blocks_[static_cast<std::size_t>(a)] + (stored >> block_shift);
             local = local * block_edge + (stored & (block_edge - 1));
         }
-        const int slot = slots_[static_cast<std::size_t>(number)];
+        const int slot = slot_of(number);
         return slot < 0 ? -1 : slot * block_nodes + local;
     }
-    /// Places of the width^dimension nodes from `base` on, first axis fastest. All must exist.
-    template <int Width>
-    void stencil(const Coordinates& base, int* indices) const {
-        int k = 0;
-        Coordinates node = base;
-        const int last_y = S::dimension > 1 ? Width : 1, last_z = S::dimension > 2 ? Width : 1;
-        for (int z = 0; z < last_z; ++z) {
-            if constexpr (S::dimension > 2) node[2] = base[2] + z;
-            for (int y = 0; y < last_y; ++y) {
-                if constexpr (S::dimension > 1) node[1] = base[1] + y;
-                for (int x = 0; x < Width; ++x) {
-                    node[0] = base[0] + x;
-                    indices[k++] = node_index(node);
-                }
-            }
-        }
+    /// Place of a block's first node in the columns. The block must exist.
+    Index block_place(const Coordinates& block) const {
+        return Index{slot_of(block_number(block))} * block_nodes;
     }
-
     /// Makes exactly these blocks exist (numbers, ascending), all fields zero.
     void set_blocks(const std::vector<int>& numbers);
     const std::vector<int>& existing_blocks() const { return existing_; }
@@ -108,25 +94,46 @@ class Patch {
         return true;
     }
 
-    void require(NodeField field) { required_[static_cast<std::size_t>(field)] = true; }
-    bool has(NodeField field) const { return required_[static_cast<std::size_t>(field)]; }
+    /// Asks for a field (before blocks exist).
+    void require(NodeField field);
+    bool has(NodeField field) const { return first_column_[static_cast<std::size_t>(field)] >= 0; }
     static constexpr int components(NodeField field) { return field == NodeField::mass ? 1 : S::dimension; }
     Index node_count() const { return static_cast<Index>(existing_.size()) * block_nodes; }
     Real* column(NodeField field, int component = 0) {
-        return columns_[static_cast<std::size_t>(field)][static_cast<std::size_t>(component)].data();
+        return columns_[static_cast<std::size_t>(first_column_[static_cast<std::size_t>(field)] + component)];
     }
     const Real* column(NodeField field, int component = 0) const {
-        return columns_[static_cast<std::size_t>(field)][static_cast<std::size_t>(component)].data();
+        return columns_[static_cast<std::size_t>(first_column_[static_cast<std::size_t>(field)] + component)];
     }
     void clear(NodeField field);
     std::size_t bytes() const;
 
   private:
+    /// Place of a block among the existing ones, -1 if it is not; from a hash table, so that the lattice may
+    /// be as large as one likes.
+    int slot_of(int number) const {
+        for (std::uint32_t i = first_place(number);; ++i) {
+            const Entry& entry = table_[i & (table_.size() - 1)];
+            if (entry.number == number) return entry.slot;
+            if (entry.number < 0) return -1;
+        }
+    }
+    std::uint32_t first_place(int number) const {
+        return (static_cast<std::uint32_t>(number) * 0x9e3779b1u) >> (32 - table_bits_);
+    }
+
+    struct Entry {
+        int number = -1, slot = -1;
+    };
+
     Vector min_, cell_size_, inverse_cell_size_;
     Coordinates cells_, blocks_;
-    std::vector<int> slots_, existing_;
-    std::array<bool, node_fields> required_{};
-    std::array<std::array<std::vector<Real>, S::dimension>, node_fields> columns_;
+    std::vector<int> existing_;
+    std::vector<Entry> table_;
+    int table_bits_ = 1;
+    std::array<int, node_fields> first_column_;  ///< -1: nobody asked for the field
+    int column_count_ = 0;
+    Columns<Real> columns_;
 };
 
 /// A background grid: today one patch; levels and distribution are further types of this kind.

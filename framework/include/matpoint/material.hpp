@@ -25,6 +25,11 @@ class Material : public Component {
     virtual void update_stress(const Batch& batch, Real dt) const = 0;
     /// Largest speed of sound in the batch in its present state, m/s, for the automatic time step.
     virtual Real wave_speed(const Batch& batch) const = 0;
+    /// Both, in this order, in one call.
+    virtual Real update(const Batch& batch, Real dt) const {
+        update_stress(batch, dt);
+        return wave_speed(batch);
+    }
     /// Energy stored by particle p per unit of initial volume, J/m^3; empty if the model has none.
     virtual std::optional<double> stored_energy(const Batch&, Index) const { return {}; }
 

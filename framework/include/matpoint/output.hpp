@@ -46,7 +46,8 @@ class RunView {
     ~RunView() = default;
 };
 
-/// Something that observes a run and writes files. The kernel calls write() when it is due.
+/// Something that observes a run and writes files. The kernel calls write() when it is due, and flush()
+/// before each checkpoint, so that a run that goes on from there lacks no file, and at the end of the run.
 class Output : public Component {
   public:
     /// Fields beyond the ones that the scene carries anyway, as names of RunView::fields.
@@ -59,7 +60,11 @@ class Output : public Component {
     /// Before the first step. `resumed_at` is the time (s) of the checkpoint that is being continued,
     /// below zero for a fresh run: what was written after it is dropped, what was before is kept.
     virtual void open(const RunView& run, const std::filesystem::path& folder, double resumed_at) = 0;
+    /// What can't be written is thrown as std::runtime_error with the reason: here, or, by an output that
+    /// writes in the background (<matpoint/background_writer.hpp>), by its next write() or flush().
     virtual void write(const RunView& run) = 0;
+    /// Returns when all that was to be written is in its files.
+    virtual void flush() {}
 };
 
 }  // namespace matpoint

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <matpoint/columns.hpp>
 #include <matpoint/space.hpp>
 #include <matpoint/tensor.hpp>
 
@@ -7,13 +8,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace matpoint {
-
-using Index = std::ptrdiff_t;
 
 /// Particle fields that the kernel knows. The first five always exist, the others when a component
 /// of the scene asks for them.
@@ -68,8 +68,10 @@ class Particles {
     const std::string& name(int slot) const { return fields_[static_cast<std::size_t>(slot)].name; }
     int field_count() const { return static_cast<int>(fields_.size()); }
 
-    Real* column(int slot, int component) { return columns_[place(slot, component)].data(); }
-    const Real* column(int slot, int component) const { return columns_[place(slot, component)].data(); }
+    /// Where the columns of a field begin, by component.
+    Real* const* columns(int slot) const { return columns_.starts() + place(slot, 0); }
+    Real* column(int slot, int component) { return columns_[place(slot, component)]; }
+    const Real* column(int slot, int component) const { return columns_[place(slot, component)]; }
     Real* column(Field field, int component = 0) { return column(slot(field), component); }
     const Real* column(Field field, int component = 0) const { return column(slot(field), component); }
     /// Numbers given at seeding; empty unless Field::id was asked for.
@@ -87,7 +89,7 @@ class Particles {
     /// All columns get `n` entries; new ones hold the field's initial value (identity for F).
     void resize(Index n);
     /// Puts particle order[k] at place k. `order` may be shorter than size(): the rest is dropped.
-    void permute(const std::vector<Index>& order);
+    void permute(std::span<const std::uint32_t> order);
     std::size_t bytes_per_particle() const;
 
   private:
@@ -98,6 +100,9 @@ class Particles {
         std::vector<double> initial;
     };
     int add(std::string name, std::vector<double> initial);
+    int column_count() const {
+        return fields_.empty() ? 0 : fields_.back().first + fields_.back().components;
+    }
     std::size_t place(int slot, int component) const {
         return static_cast<std::size_t>(fields_[static_cast<std::size_t>(slot)].first) +
                static_cast<std::size_t>(component);
@@ -107,8 +112,7 @@ class Particles {
     Index size_ = 0;
     std::vector<FieldInfo> fields_;
     std::array<int, known_fields> slots_;
-    std::vector<std::vector<Real>> columns_;
-    std::vector<Real> spare_;
+    Columns<Real> columns_{1};
     std::vector<std::uint32_t> ids_;
     bool has_ids_ = false;
 };
@@ -143,6 +147,8 @@ class ParticleBatch {
     Index end() const { return end_; }
     Particles<S>& particles() const { return *particles_; }
     const Gathered<S>& gathered() const { return *gathered_; }
+    /// Slot of the first of Material::state().
+    int first_state() const { return first_state_; }
 
     Real mass(Index p) const { return particles_->column(Field::mass)[p]; }
     Real volume(Index p) const { return particles_->column(Field::volume)[p]; }

@@ -62,6 +62,8 @@ class ShapeFunction : public Component {
     /// First node of the stencil of each particle in [begin, end).
     virtual void base_nodes(const Patch<S>&, const Particles<S>&, Index begin, Index end,
                             Coordinates* out) const = 0;
+    /// The same for a particle of this body at `position`; never less for a greater coordinate.
+    virtual Coordinates base_node(const Patch<S>&, const Particles<S>&, const Vector& position) const = 0;
     virtual void scatter(Patch<S>&, const Particles<S>&, Index begin, Index end, const Scatter&) const = 0;
     virtual void gather(const Patch<S>&, const Particles<S>&, Index begin, Index end, const Gather&,
                         GatherSink<S>&) const = 0;

@@ -1,18 +1,23 @@
 #pragma once
 
 #include <matpoint/pack.hpp>
+#include <matpoint/particles.hpp>
+#include <matpoint/tile.hpp>
 
-#include <algorithm>
 #include <array>
 
 namespace matpoint {
 
-/// Sums between packs of particles that share a stencil of Width^Dimension nodes and these nodes.
-/// Weights are products over the axes, so a row of nodes along the first axis shares the product of
-/// all others.
-template <class Real, int Dimension, int Width>
+/// The sums between particles and the nodes of a tile, for weights that are products over the axes. A row of
+/// nodes along the first axis shares the product of all others.
+///
+/// Particles to nodes: one particle after the other, its lanes are the components of what it sends. So
+/// nothing is summed over lanes, and particles may lie in any order. Nodes to particles: a lane is a
+/// particle, all with the same stencil.
+template <class S, int Width>
 struct StencilLoops {
-    static constexpr int D = Dimension, W = Width;
+    using Real = typename S::Real;
+    static constexpr int D = S::dimension, W = Width;
     static constexpr int rows = D == 1 ? 1 : D == 2 ? W : W * W;
     static constexpr int N = rows * W;
 
@@ -22,16 +27,6 @@ struct StencilLoops {
     /// One number for each node along each axis.
     template <class T>
     using Axes = std::array<std::array<T, W>, D>;
-    /// Columns of C components of the nodes.
-    template <int C>
-    using Columns = std::array<Real*, C>;
-    /// A vector at each node of a stencil, by component.
-    using Nodal = std::array<std::array<Real, N>, D>;
-
-    struct Weights {
-        Axes<Lanes> value, derivative;  ///< derivatives in 1/m
-        LaneVector s;                   ///< position in cells from the stencil's first node
-    };
 
     /// Product of a row's weights over all axes but the first, with those of axis b from `slopes`.
     template <class T>
@@ -40,113 +35,166 @@ struct StencilLoops {
         for (int a = 1; a < D; ++a, row /= W) product *= (a == b ? slopes : weights)[a][row % W];
         return product;
     }
+    /// Place of a row's first node, from the stencil's first.
+    static constexpr int row_place(int row) {
+        int place = 0;
+        for (int a = 1; a < D; ++a, row /= W) place += row % W * Tile<S>::stride(a);
+        return place;
+    }
 
-    /// Sums for C components at the nodes of a stencil, one share a lane.
-    template <int C>
-    struct NodeSums {
-        static constexpr int size = (C * N + Lanes::lanes - 1) / Lanes::lanes * Lanes::lanes;
-        std::array<Lanes, size> lanes;
+    // --- Particles to nodes ---------------------------------------------------------------------
 
-        NodeSums() { std::fill(lanes.begin() + C * N, lanes.end(), Lanes(0)); }
-        void add_to(const Columns<C>& columns, const int* nodes) const {
-            std::array<Real, size> sums;
-            for (int j = 0; j < size; j += Lanes::lanes) Lanes::sums(&lanes[j]).store(&sums[j]);
-            for (int i = 0; i < N; ++i)
-                for (int c = 0; c < C; ++c) columns[c][nodes[i]] += sums[c * N + i];
+    /// Components of what a particle sends to a node: momentum, mass, force; each half is four numbers.
+    static constexpr int record = 8, mass_place = 3, force_place = 4;
+    /// Packs of a record, and the half that a pack belongs to.
+    static constexpr int parts = record / Lanes::lanes;
+    static constexpr int half_of(int part) { return part * Lanes::lanes / force_place; }
+
+    /// What is sent in a pass; motion: mass and momentum.
+    struct Sent {
+        bool motion, affine, force;
+
+        constexpr bool uses(int part) const { return parts == 1 || (half_of(part) == 0 ? motion : force); }
+        constexpr bool uses_flux(int part) const {
+            return parts == 1 ? affine || force : half_of(part) == 0 ? affine : force;
         }
     };
 
-    /// column_c at node i += sum_p S_ip value_c.
-    template <int C>
-    static void add_values(const Weights* weights, const std::array<Lanes, C>* values, int packs,
-                           const int* nodes, const Columns<C>& columns) {
-        NodeSums<C> node_sums;
-        for (int row = 0; row < rows; ++row) {
-            Lanes sums[C][W];
-            for (int c = 0; c < C; ++c)
-                for (int i = 0; i < W; ++i) sums[c][i] = Lanes(0);
-            for (int k = 0; k < packs; ++k) {
-                const Axes<Lanes>& weight = weights[k].value;
-                const Lanes product = row_product(weight, weight, 0, row);
-                for (int c = 0; c < C; ++c) {
-                    const Lanes value = product * values[k][c];
-                    for (int i = 0; i < W; ++i) sums[c][i] += weight[0][i] * value;
-                }
-            }
-            for (int c = 0; c < C; ++c)
-                for (int i = 0; i < W; ++i) node_sums.lanes[c * N + row * W + i] = sums[c][i];
+    /// A pack of particles ready to be sent. Slopes take the weights' place on axis a in what flux[a] is
+    /// multiplied by: of momentum (0) the moments S (x_i - x_p), of force (1) the derivatives.
+    struct Senders {
+        using Numbers = std::array<Real, Lanes::lanes>;  ///< one a particle
+        std::array<Numbers, W> weight;                   ///< on the first axis
+        std::array<Numbers, rows> product;               ///< of weights on the others
+        std::array<std::array<Numbers, W>, 2> slope;
+        std::array<std::array<std::array<Numbers, rows>, D>, 2> slope_product;
+        std::array<std::array<Real, record>, Lanes::lanes> value;                ///< times S
+        std::array<std::array<std::array<Real, record>, Lanes::lanes>, D> flux;  ///< times S with slopes
+
+        void set_weights(const Axes<Lanes>& weights) {
+            for (int x = 0; x < W; ++x) weights[0][x].store(weight[x].data());
+            for (int row = 0; row < rows; ++row)
+                row_product(weights, weights, 0, row).store(product[row].data());
         }
-        node_sums.add_to(columns, nodes);
+        void set_slopes(int half, const Axes<Lanes>& weights, const Axes<Lanes>& slopes) {
+            for (int x = 0; x < W; ++x) slopes[0][x].store(slope[half][x].data());
+            for (int a = 1; a < D; ++a)
+                for (int row = 0; row < rows; ++row)
+                    row_product(weights, slopes, a, row).store(slope_product[half][a][row].data());
+        }
+        /// The numbers of particle i that belong to the lanes of a part.
+        template <Sent sent>
+        static Lanes of_part(int part, Real motion, Real force) {
+            if (parts > 1) return Lanes(half_of(part) == 0 ? motion : force);
+            if (!sent.affine) return Lanes(force);
+            return sent.force ? head(Lanes(motion), force_place, Lanes(force)) : Lanes(motion);
+        }
+    };
+    using Columns = std::array<Lanes, record>;  ///< of records, a particle a lane
+    template <Sent sent>
+    static void transpose_records(Columns& value, std::array<Columns, D>& flux, Senders& to) {
+        const auto transpose = [](int part, Columns& columns, auto& records) {
+            Lanes* const own = columns.data() + part * Lanes::lanes;
+            Lanes::transpose(own);
+            for (int i = 0; i < Lanes::lanes; ++i) own[i].store(records[i].data() + part * Lanes::lanes);
+        };
+        for (int part = 0; part < parts; ++part) {
+            if (sent.uses(part)) transpose(part, value, to.value);
+            if (sent.uses_flux(part))
+                for (int a = 0; a < D; ++a) transpose(part, flux[a], to.flux[a]);
+        }
     }
 
-    /// column_c at node i += sum_p sum_a G_a matrix_ca, where G_a is S_ip with `slopes` for the weights
-    /// of axis a: grad S if they are derivatives, S (x_i - x_p) if they are moments.
-    template <class Slopes>
-    static void add_gradients(const Weights* weights, const Slopes& slopes, const LaneMatrix* matrix,
-                              int packs, const int* nodes, const Columns<D>& columns) {
-        NodeSums<D> node_sums;
-        for (int row = 0; row < rows; ++row) {
-            Lanes sums[D][W];
-            for (int c = 0; c < D; ++c)
-                for (int i = 0; i < W; ++i) sums[c][i] = Lanes(0);
-            for (int k = 0; k < packs; ++k) {
-                const Axes<Lanes>&weight = weights[k].value, &slope = slopes(k);
-                LaneVector product;
-                for (int a = 0; a < D; ++a) product[a] = row_product(weight, slope, a, row);
-                for (int c = 0; c < D; ++c) {
-                    const Lanes along = product[0] * matrix[k][c][0];
-                    Lanes across(0);
-                    for (int a = 1; a < D; ++a) across += product[a] * matrix[k][c][a];
-                    for (int i = 0; i < W; ++i) {
-                        sums[c][i] += slope[0][i] * along;
-                        sums[c][i] += weight[0][i] * across;
-                    }
+    /// node += S value + sum_a (S with slopes on axis a) flux_a, of the i-th particle, for all nodes of its
+    /// stencil, which begins at `nodes`.
+    template <Sent sent>
+    static void send(const Senders& from, int i, Real* nodes) {
+#pragma GCC unroll 4
+        for (int part = 0; part < parts; ++part) {
+            if (!sent.uses(part)) continue;
+            const auto load = [&](const auto& records) {
+                return Lanes::load(records[i].data() + part * Lanes::lanes);
+            };
+            const Lanes value = load(from.value);
+#pragma GCC unroll 16
+            for (int row = 0; row < rows; ++row) {
+                Real* const first = nodes + row_place(row) * record + part * Lanes::lanes;
+                const Lanes product(from.product[row][i]);
+                Lanes along = product * value, across;
+                if (sent.uses_flux(part)) {
+#pragma GCC unroll 2
+                    for (int a = 1; a < D; ++a)
+                        along = multiply_add(
+                            Senders::template of_part<sent>(part, from.slope_product[0][a][row][i],
+                                                            from.slope_product[1][a][row][i]),
+                            load(from.flux[a]), along);
+                    across = product * load(from.flux[0]);
+                }
+#pragma GCC unroll 4
+                for (int x = 0; x < W; ++x) {
+                    Real* const node = first + x * record;
+                    Lanes sum = multiply_add(Lanes(from.weight[x][i]), along, Lanes::load(node));
+                    if (sent.uses_flux(part))
+                        sum = multiply_add(
+                            Senders::template of_part<sent>(part, from.slope[0][x][i], from.slope[1][x][i]),
+                            across, sum);
+                    sum.store(node);
                 }
             }
-            for (int c = 0; c < D; ++c)
-                for (int i = 0; i < W; ++i) node_sums.lanes[c * N + row * W + i] = sums[c][i];
         }
-        node_sums.add_to(columns, nodes);
     }
 
-    /// sum_i S_ip f_i.
-    static LaneVector interpolate(const Axes<Lanes>& weights, const Nodal& f) {
-        LaneVector value;
-        for (int c = 0; c < D; ++c) value[c] = Lanes(0);
+    // --- Nodes to particles ---------------------------------------------------------------------
+
+    /// Weights of particles with one stencil, and their products over all axes but the first; slopes as
+    /// above.
+    struct Reader {
+        Axes<Lanes> weight, slope;
+        std::array<Lanes, rows> product;                       ///< of weights
+        std::array<std::array<Lanes, rows>, D> slope_product;  ///< with the slopes of axis a
+
+        void multiply() {
+            for (int row = 0; row < rows; ++row) product[row] = row_product(weight, weight, 0, row);
+            multiply_slopes();
+        }
+        void multiply_slopes() {
+            for (int a = 1; a < D; ++a)
+                for (int row = 0; row < rows; ++row)
+                    slope_product[a][row] = row_product(weight, slope, a, row);
+        }
+    };
+
+    /// sum_i S_i f_i; `nodes`: the component at the stencil's first node.
+    static Lanes interpolate(const Reader& to, const Real* nodes) {
+        Lanes value(0);
+#pragma GCC unroll 16
         for (int row = 0; row < rows; ++row) {
-            const Lanes product = row_product(weights, weights, 0, row);
-            for (int c = 0; c < D; ++c) {
-                Lanes along(0);
-                for (int i = 0; i < W; ++i) along += weights[0][i] * Lanes(f[c][row * W + i]);
-                value[c] += product * along;
-            }
+            const Real* const first = nodes + row_place(row);
+            Lanes along = to.weight[0][0] * Lanes(first[0]);
+            for (int x = 1; x < W; ++x) along = multiply_add(to.weight[0][x], Lanes(first[x]), along);
+            value = multiply_add(to.product[row], along, value);
         }
         return value;
     }
 
-    /// [c][a]: sum_i f_c G_a, with G_a as in add_gradients; and sum_i S_ip f_i.
-    static LaneMatrix differentiate(const Axes<Lanes>& weights, const Axes<Lanes>& slopes, const Nodal& f,
-                                    LaneVector& value) {
-        LaneMatrix gradient;
-        for (int c = 0; c < D; ++c) {
-            value[c] = Lanes(0);
-            for (int a = 0; a < D; ++a) gradient[c][a] = Lanes(0);
-        }
+    /// The same, and sum_i f_i (S_i with the slopes of axis a) for each axis.
+    static Lanes differentiate(const Reader& to, const Real* nodes, LaneVector& gradient) {
+        Lanes value(0);
+        for (int a = 0; a < D; ++a) gradient[a] = Lanes(0);
+#pragma GCC unroll 16
         for (int row = 0; row < rows; ++row) {
-            LaneVector product;
-            for (int a = 0; a < D; ++a) product[a] = row_product(weights, slopes, a, row);
-            for (int c = 0; c < D; ++c) {
-                Lanes along(0), slope(0);
-                for (int i = 0; i < W; ++i) {
-                    along += weights[0][i] * Lanes(f[c][row * W + i]);
-                    slope += slopes[0][i] * Lanes(f[c][row * W + i]);
-                }
-                value[c] += product[0] * along;
-                gradient[c][0] += product[0] * slope;
-                for (int a = 1; a < D; ++a) gradient[c][a] += product[a] * along;
+            const Real* const first = nodes + row_place(row);
+            Lanes along = to.weight[0][0] * Lanes(first[0]), slope = to.slope[0][0] * Lanes(first[0]);
+            for (int x = 1; x < W; ++x) {
+                along = multiply_add(to.weight[0][x], Lanes(first[x]), along);
+                slope = multiply_add(to.slope[0][x], Lanes(first[x]), slope);
             }
+            value = multiply_add(to.product[row], along, value);
+            gradient[0] = multiply_add(to.product[row], slope, gradient[0]);
+            for (int a = 1; a < D; ++a)
+                gradient[a] = multiply_add(to.slope_product[a][row], along, gradient[a]);
         }
-        return gradient;
+        return value;
     }
 };
 

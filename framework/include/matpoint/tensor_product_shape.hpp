@@ -45,34 +45,49 @@ class TensorProductShape : public ShapeFunction<S> {
         }
     }
 
+    Coordinates base_node(const Patch<S>& patch, const Particles<S>&, const Vector& position) const override {
+        Coordinates base;
+        for (int a = 0; a < D; ++a)
+            base[a] = clamped_base(patch, a, (position[a] - patch.min()[a]) * patch.inverse_cell_size()[a]);
+        return base;
+    }
+
     void scatter(Patch<S>& patch, const Particles<S>& particles, Index begin, Index end,
                  const Scatter& what) const override {
-        for (Index p = begin; p < end;)
-            p = visit_runs(patch, particles, p, end,
-                           [&](const Run& run) { scatter_run(patch, particles, run, what); });
+        visit_tiles(patch, particles, begin, end, [&](const Tile<S>& tile, Index first, Index last) {
+            const bool motion = what.mass || what.momentum, affine = what.momentum && what.affine_slot >= 0;
+            const auto add = [&]<Sent sent>() {
+                scatter_tile<sent>(patch, tile, particles, first, last, end, what);
+            };
+            if (motion && affine && what.internal_force)
+                add.template operator()<Sent{true, true, true}>();
+            else if (motion && what.internal_force)
+                add.template operator()<Sent{true, false, true}>();
+            else if (motion && affine)
+                add.template operator()<Sent{true, true, false}>();
+            else if (motion)
+                add.template operator()<Sent{true, false, false}>();
+            else
+                add.template operator()<Sent{false, false, true}>();
+        });
     }
 
     void gather(const Patch<S>& patch, const Particles<S>& particles, Index begin, Index end,
                 const Gather& what, GatherSink<S>& sink) const override {
-        Gathered<S> gathered;
-        for (Index p = begin; p < end;) {
-            const Index next = visit_runs(patch, particles, p, end, [&](const Run& run) {
-                gather_run(patch, particles, run, what, gathered, static_cast<int>(run.first - p));
-            });
-            sink.receive(p, static_cast<int>(next - p), gathered);
-            p = next;
-        }
+        visit_tiles(patch, particles, begin, end, [&](const Tile<S>& tile, Index first, Index last) {
+            gather_tile(patch, tile, particles, first, last, end, what, sink);
+        });
     }
 
     void spread(Patch<S>& patch, std::span<const PointSource<S>> sources, NodeField field) const override {
-        int nodes[N];
         Axes<Real> weights, derivatives;
         for (const PointSource<S>& source : sources) {
-            patch.template stencil<W>(
-                evaluate_at(patch, source.position, source.half_size, weights, derivatives), nodes);
+            const Coordinates base =
+                evaluate_at(patch, source.position, source.half_size, weights, derivatives);
             for (int k = 0; k < N; ++k) {
                 const Real weight = weights[0][k % W] * Loops::row_product(weights, weights, 0, k / W);
-                for (int c = 0; c < D; ++c) patch.column(field, c)[nodes[k]] += weight * source.value[c];
+                const int node = patch.node_index(node_of(base, k));
+                for (int c = 0; c < D; ++c) patch.column(field, c)[node] += weight * source.value[c];
             }
         }
     }
@@ -82,9 +97,7 @@ class TensorProductShape : public ShapeFunction<S> {
         const Coordinates base = evaluate_at(patch, position, half_size, weights, derivatives);
         Stencil stencil;
         for (int k = 0; k < N; ++k) {
-            Coordinates node = base;
-            for (int a = 0, rest = k; a < D; ++a, rest /= W) node[a] += rest % W;
-            stencil.nodes.push_back(node);
+            stencil.nodes.push_back(node_of(base, k));
             stencil.weights.push_back(weights[0][k % W] * Loops::row_product(weights, weights, 0, k / W));
             Vector gradient;
             for (int a = 0; a < D; ++a)
@@ -96,52 +109,40 @@ class TensorProductShape : public ShapeFunction<S> {
     }
 
   private:
-    using Loops = StencilLoops<Real, S::dimension, Kernel::width>;
+    using Loops = StencilLoops<S, Kernel::width>;
     static constexpr int D = Loops::D, W = Loops::W, N = Loops::N;
     using Lanes = typename Loops::Lanes;
     using LaneVector = typename Loops::LaneVector;
     using LaneMatrix = typename Loops::LaneMatrix;
-    using Weights = typename Loops::Weights;
-    using Nodal = typename Loops::Nodal;
+    using Sent = typename Loops::Sent;
+    using Reader = typename Loops::Reader;
     template <class T>
     using Axes = typename Loops::template Axes<T>;
-    /// Most packs in a run.
-    static constexpr int max_packs = batch_size / Lanes::lanes;
-    using Bases = std::array<std::array<int, batch_size>, D>;
+    using Places = std::array<int, batch_size>;
+    using Bases = std::array<Places, D>;
 
     /// Particles of a run that are treated at once.
     struct Slice {
         Index first;
-        int count;      ///< lanes in use; the others repeat the first particle
+        int count;      ///< lanes in use; the others hold anything
         bool readable;  ///< whether a whole Pack can be read from the columns
 
         Lanes load(const Real* column) const {
+            if (readable) return Lanes::load(column + first);
             Lanes a;
-            if (readable) {
-                a = Lanes::load(column + first);
-            } else {
-                for (int i = 0; i < Lanes::lanes; ++i) a.set(i, column[first + std::min(i, count - 1)]);
-            }
-            return head(a, count, Lanes(a[0]));
-        }
-        /// 0 in lanes that are not in use.
-        Lanes load_or_zero(const Real* column) const { return head(load(column), count, Lanes(0)); }
-    };
-
-    /// Consecutive particles, at least one, with the same stencil.
-    struct Run {
-        Index first;
-        int count;
-        Index end;  ///< of the particles that may be read: others may be changing in another thread
-        Coordinates base;
-
-        int packs() const { return (count - 1) / Lanes::lanes + 1; }
-        Slice slice(int k) const {
-            const Index begin = first + k * Lanes::lanes;
-            return {begin, std::min(Lanes::lanes, count - k * Lanes::lanes), begin + Lanes::lanes <= end};
+            for (int i = 0; i < Lanes::lanes; ++i) a.set(i, column[first + std::min(i, count - 1)]);
+            return a;
         }
     };
 
+    /// The k-th node of a stencil, first axis fastest.
+    static Coordinates node_of(Coordinates base, int k) {
+        for (int a = 0; a < D; ++a, k /= W) base[a] += k % W;
+        return base;
+    }
+    static int clamped_base(const Patch<S>& patch, int axis, Real xi) {
+        return std::min(std::max(Kernel::base(xi), -1), patch.cells()[axis] + 2 - W);
+    }
     static void find_bases(const Patch<S>& patch, const Particles<S>& particles, Index begin, int count,
                            Bases& bases) {
         for (int a = 0; a < D; ++a) {
@@ -152,35 +153,64 @@ class TensorProductShape : public ShapeFunction<S> {
                 bases[a][i] = std::min(std::max(Kernel::base((x[i] - min) * scale), -1), last);
         }
     }
+    /// Places in the tile of the first nodes of stencils.
+    static void find_places(const Tile<S>& tile, const Bases& bases, int count, Places& places) {
+        const Coordinates origin = tile.origin();
+        for (int i = 0; i < count; ++i) {
+            int place = 0;
+            for (int a = 0; a < D; ++a) place += (bases[a][i] - origin[a]) * Tile<S>::stride(a);
+            places[i] = place;
+        }
+    }
     static Coordinates base_of(const Bases& bases, int i) {
         Coordinates base;
         for (int a = 0; a < D; ++a) base[a] = bases[a][i];
         return base;
     }
 
-    /// Calls visit(run) for each run from `begin` to the last one that ends within a batch; returns
-    /// where the next begins.
+    /// Calls visit(tile, first, last) for pieces of the range whose stencils one tile holds: all of it when
+    /// particles are in the order of blocks.
     template <class Visit>
-    static Index visit_runs(const Patch<S>& patch, const Particles<S>& particles, Index begin, Index end,
+    static void visit_tiles(const Patch<S>& patch, const Particles<S>& particles, Index begin, Index end,
                             const Visit& visit) {
-        const int count = static_cast<int>(std::min<Index>(batch_size, end - begin));
-        Bases bases;
-        find_bases(patch, particles, begin, count, bases);
-        int first = 0;
-        while (first < count) {
-            const Coordinates base = base_of(bases, first);
-            int last = first + 1;
-            while (last < count && base_of(bases, last) == base) ++last;
-            // It may go on past the batch: the next one has it whole.
-            if (last == count && first > 0 && begin + count < end) break;
-            visit(Run{begin + first, last - first, end, base});
+        for (Index first = begin; first < end;) {
+            Bases bases;
+            find_bases(patch, particles, first, 1, bases);
+            Tile<S> tile(patch, base_of(bases, 0));
+            Index last = first;
+            for (int held = batch_size; last < end && held == batch_size; last += held) {
+                const int count = static_cast<int>(std::min<Index>(batch_size, end - last));
+                find_bases(patch, particles, last, count, bases);
+                held = include(tile, bases, count);
+            }
+            visit(tile, first, last);
             first = last;
         }
-        return begin + first;
+    }
+    /// How many of the particles, from the first on, the tile holds.
+    static int include(Tile<S>& tile, const Bases& bases, int count) {
+        Coordinates low, high;
+        for (int a = 0; a < D; ++a) {
+            low[a] = high[a] = bases[a][0];
+            for (int i = 1; i < count; ++i) {
+                low[a] = std::min(low[a], bases[a][i]);
+                high[a] = std::max(high[a], bases[a][i]);
+            }
+        }
+        if (!tile.holds(low, W) || !tile.holds(high, W)) {
+            int held = 0;
+            for (; held < count && tile.holds(base_of(bases, held), W); ++held)
+                tile.include(base_of(bases, held), W);
+            return held;
+        }
+        tile.include(low, W);
+        tile.include(high, W);
+        return count;
     }
 
+    /// Weights and derivatives (1/m) of the slice; s: position in cells from the stencil's first node.
     static void weigh(const Patch<S>& patch, const Particles<S>& particles, const Slice& slice,
-                      const Coordinates& base, Weights& weights) {
+                      const LaneVector& base, Axes<Lanes>& weights, Axes<Lanes>& derivatives, LaneVector& s) {
         for (int a = 0; a < D; ++a) {
             const Lanes scale(patch.inverse_cell_size()[a]);
             const Lanes xi =
@@ -188,9 +218,9 @@ class TensorProductShape : public ShapeFunction<S> {
             Lanes half_size(0);
             if constexpr (Kernel::sized)
                 half_size = slice.load(particles.column(Field::half_size, a)) * scale;
-            weights.s[a] = xi - Lanes(base[a]);
-            Kernel::evaluate(weights.s[a], half_size, weights.value[a].data(), weights.derivative[a].data());
-            for (Lanes& derivative : weights.derivative[a]) derivative *= scale;
+            s[a] = xi - base[a];
+            Kernel::evaluate(s[a], half_size, weights[a].data(), derivatives[a].data());
+            for (Lanes& derivative : derivatives[a]) derivative *= scale;
         }
     }
 
@@ -199,7 +229,7 @@ class TensorProductShape : public ShapeFunction<S> {
         Coordinates base;
         for (int a = 0; a < D; ++a) {
             const Real scale = patch.inverse_cell_size()[a], xi = (position[a] - patch.min()[a]) * scale;
-            base[a] = std::min(std::max(Kernel::base(xi), -1), patch.cells()[a] + 2 - W);
+            base[a] = clamped_base(patch, a, xi);
             Kernel::evaluate(xi - static_cast<Real>(base[a]), half_size[a] * scale, weights[a].data(),
                              derivatives[a].data());
             for (Real& derivative : derivatives[a]) derivative *= scale;
@@ -208,138 +238,206 @@ class TensorProductShape : public ShapeFunction<S> {
     }
 
     /// (x_i - x_p)_a S along axis a: takes the derivative's place in what is affine in x_i - x_p.
-    static void find_moments(const Patch<S>& patch, const Weights& weights, Axes<Lanes>& moments) {
+    static void find_moments(const Patch<S>& patch, const Axes<Lanes>& weights, const LaneVector& s,
+                             Axes<Lanes>& moments) {
         for (int a = 0; a < D; ++a)
             for (int k = 0; k < W; ++k)
-                moments[a][k] = weights.value[a][k] * (Lanes(k) - weights.s[a]) * Lanes(patch.cell_size()[a]);
+                moments[a][k] = weights[a][k] * (Lanes(k) - s[a]) * Lanes(patch.cell_size()[a]);
     }
 
     // --- Particles to nodes ---------------------------------------------------------------------
 
-    static void scatter_run(Patch<S>& patch, const Particles<S>& particles, const Run& run,
-                            const Scatter& what) {
-        const int packs = run.packs();
-        if (packs < 1) __builtin_unreachable();
-        std::array<Weights, max_packs> weights;
-        for (int k = 0; k < packs; ++k) weigh(patch, particles, run.slice(k), run.base, weights[k]);
-        int nodes[N];
-        patch.template stencil<W>(run.base, nodes);
-
-        std::array<std::array<Lanes, 1>, max_packs> mass;
-        for (int k = 0; k < packs; ++k) mass[k][0] = run.slice(k).load_or_zero(particles.column(Field::mass));
-        if (what.mass)
-            Loops::template add_values<1>(weights.data(), mass.data(), packs, nodes,
-                                          {patch.column(NodeField::mass)});
-        if (what.momentum) {
-            std::array<LaneVector, max_packs> momentum;
-            for (int k = 0; k < packs; ++k)
-                for (int c = 0; c < D; ++c)
-                    momentum[k][c] = mass[k][0] * run.slice(k).load(particles.column(Field::velocity, c));
-            Loops::template add_values<D>(weights.data(), momentum.data(), packs, nodes,
-                                          columns(patch, *what.momentum));
-        }
-        if (what.momentum && what.affine_slot >= 0) {
-            std::array<Axes<Lanes>, max_packs> moments;
-            std::array<LaneMatrix, max_packs> affine;
-            for (int k = 0; k < packs; ++k) {
-                find_moments(patch, weights[k], moments[k]);
-                for (int c = 0; c < D; ++c)
-                    for (int a = 0; a < D; ++a)
-                        affine[k][c][a] =
-                            mass[k][0] * run.slice(k).load(particles.column(what.affine_slot, c + D * a));
+    static constexpr int record = Loops::record;
+    template <Sent sent>
+    static void scatter_tile(Patch<S>& patch, const Tile<S>& tile, const Particles<S>& particles, Index first,
+                             Index last, Index end, const Scatter& what) {
+        alignas(32) std::array<Real, Tile<S>::nodes * record> nodes;
+        tile.visit_rows([&](int place, Index, int count) {
+            std::fill_n(nodes.data() + place * record, count * record, Real(0));
+        });
+        Bases bases{};
+        Places places;
+        for (Index p = first; p < last; p += batch_size) {
+            const int count = static_cast<int>(std::min<Index>(batch_size, last - p));
+            find_bases(patch, particles, p, count, bases);
+            find_places(tile, bases, count, places);
+            for (int i = 0; i < count; i += Lanes::lanes) {
+                const Slice slice{p + i, std::min(count - i, Lanes::lanes), p + i + Lanes::lanes <= end};
+                typename Loops::Senders from;
+                prepare<sent>(patch, particles, slice, bases, i, what, from);
+                for (int k = 0; k < slice.count; ++k)
+                    Loops::template send<sent>(from, k, nodes.data() + places[i + k] * record);
             }
-            Loops::add_gradients(
-                weights.data(), [&](int k) -> const Axes<Lanes>& { return moments[k]; }, affine.data(), packs,
-                nodes, columns(patch, *what.momentum));
         }
-        if (what.internal_force) scatter_force(patch, particles, run, weights.data(), nodes);
+        std::array<std::pair<Real*, int>, record> sums;  // columns of the nodes and their places in a record
+        int columns = 0;
+        const auto add = [&](NodeField field, int c, int component) {
+            sums[static_cast<std::size_t>(columns++)] = {patch.column(field, c), component};
+        };
+        if (what.mass) add(NodeField::mass, 0, Loops::mass_place);
+        for (int c = 0; c < D; ++c) {
+            if (what.momentum) add(*what.momentum, c, c);
+            if (what.internal_force) add(NodeField::force, c, Loops::force_place + c);
+        }
+        tile.visit_rows([&](int place, Index start, int count) {
+            const Real* const row = nodes.data() + place * record;
+            for (int k = 0; k < columns; ++k) {
+                const auto [column, component] = sums[static_cast<std::size_t>(k)];
+                for (int i = 0; i < count; ++i) column[start + i] += row[i * record + component];
+            }
+        });
     }
 
-    /// f_i -= sum sigma grad S V [Wallstedt & Guilkey 2008, eq. 14]; axisymmetric: and, radially,
-    /// S V sigma_hoop / r.
-    static void scatter_force(Patch<S>& patch, const Particles<S>& particles, const Run& run,
-                              const Weights* weights, const int* nodes) {
-        constexpr int component[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
-        std::array<LaneMatrix, max_packs> flux;
-        std::array<std::array<Lanes, 1>, max_packs> hoop;
-        for (int k = 0; k < run.packs(); ++k) {
-            const Slice slice = run.slice(k);
-            const auto load = [&](Field field, int c) { return slice.load(particles.column(field, c)); };
-            const Lanes volume = -slice.load_or_zero(particles.column(Field::volume));
-            for (int c = 0; c < D; ++c)
-                for (int a = 0; a < D; ++a) flux[k][c][a] = volume * load(Field::stress, component[c][a]);
+    template <Sent sent>
+    static void prepare(const Patch<S>& patch, const Particles<S>& particles, const Slice& slice,
+                        const Bases& bases, int at, const Scatter& what, typename Loops::Senders& to) {
+        LaneVector base, s;
+        for (int a = 0; a < D; ++a) base[a] = Lanes::load(bases[a].data() + at);
+        Axes<Lanes> weights, derivatives, moments;
+        weigh(patch, particles, slice, base, weights, derivatives, s);
+        to.set_weights(weights);
+        if constexpr (sent.force) to.set_slopes(1, weights, derivatives);
+        if constexpr (sent.affine) {
+            find_moments(patch, weights, s, moments);
+            to.set_slopes(0, weights, moments);
+        }
+
+        const auto load = [&](int slot, int c) { return slice.load(particles.column(slot, c)); };
+        std::array<Lanes, record> value;
+        std::array<std::array<Lanes, record>, D> flux;
+        value.fill(Lanes(0));
+        for (auto& own : flux) own.fill(Lanes(0));
+        if constexpr (sent.motion) {
+            const Lanes mass = slice.load(particles.column(Field::mass));
+            value[Loops::mass_place] = mass;
+            for (int c = 0; c < D; ++c) {
+                value[c] = mass * slice.load(particles.column(Field::velocity, c));
+                if constexpr (sent.affine)
+                    for (int a = 0; a < D; ++a) flux[a][c] = mass * load(what.affine_slot, c + D * a);
+            }
+        }
+        if constexpr (sent.force) {
+            // f_i -= sum sigma grad S V [Wallstedt & Guilkey 2008, eq. 14]; axisymmetric: and, radially,
+            // S V sigma_hoop / r.
+            constexpr int component[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
+            const int stress = particles.slot(Field::stress);
+            const Lanes volume = -slice.load(particles.column(Field::volume));
+            for (int a = 0; a < D; ++a)
+                for (int c = 0; c < D; ++c)
+                    flux[a][Loops::force_place + c] = volume * load(stress, component[c][a]);
             if constexpr (S::axisymmetric)
-                hoop[k][0] = volume * load(Field::stress, 2) / load(Field::position, 0);
+                value[Loops::force_place] =
+                    volume * load(stress, 2) / slice.load(particles.column(Field::position, 0));
         }
-        Loops::add_gradients(
-            weights, [&](int k) -> const Axes<Lanes>& { return weights[k].derivative; }, flux.data(),
-            run.packs(), nodes, columns(patch, NodeField::force));
-        if constexpr (S::axisymmetric)
-            Loops::template add_values<1>(weights, hoop.data(), run.packs(), nodes,
-                                          {patch.column(NodeField::force, 0)});
-    }
-
-    static std::array<Real*, D> columns(Patch<S>& patch, NodeField field) {
-        std::array<Real*, D> columns;
-        for (int c = 0; c < D; ++c) columns[c] = patch.column(field, c);
-        return columns;
+        Loops::template transpose_records<sent>(value, flux, to);
     }
 
     // --- Nodes to particles ---------------------------------------------------------------------
 
-    /// Fills the columns of `gathered` from place `at` on.
-    static void gather_run(const Patch<S>& patch, const Particles<S>& particles, const Run& run,
-                           const Gather& what, Gathered<S>& gathered, int at) {
-        int nodes[N];
-        patch.template stencil<W>(run.base, nodes);
-        Nodal velocity, acceleration, gradient, affine;
-        if (what.velocity) load(patch, *what.velocity, nodes, velocity);
-        if (what.acceleration) load(patch, NodeField::acceleration, nodes, acceleration);
-        if (what.gradient) load(patch, *what.gradient, nodes, gradient);
-        if (what.affine) load(patch, NodeField::velocity, nodes, affine);
+    /// Copies of the tile's node fields that are read, one component after the other; null: not asked for.
+    struct Copies {
+        alignas(64) std::array<Real, 3 * D * Tile<S>::nodes> numbers;
+        const Real *velocity = nullptr, *acceleration = nullptr, *gradient = nullptr, *affine = nullptr;
 
-        for (int k = 0; k < run.packs(); ++k, at += Lanes::lanes) {
-            const Slice particle = run.slice(k);
-            Weights weights;
-            weigh(patch, particles, particle, run.base, weights);
-            if (what.velocity)
-                store(Loops::interpolate(weights.value, velocity), gathered.velocity, at, particle.count);
-            if (what.acceleration)
-                store(Loops::interpolate(weights.value, acceleration), gathered.acceleration, at,
-                      particle.count);
-            if (what.gradient) {
-                LaneVector value;
-                const LaneMatrix l = Loops::differentiate(weights.value, weights.derivative, gradient, value);
-                store(l, gathered.velocity_gradient, at, particle.count);
-                if constexpr (S::axisymmetric)
-                    store(value[0] / particle.load(particles.column(Field::position, 0)),
-                          gathered.velocity_gradient[D * D], at, particle.count);
+        Copies(const Patch<S>& patch, const Tile<S>& tile, const Gather& what) {
+            std::array<NodeField, 3> fields;
+            int count = 0;
+            const auto copy = [&](NodeField field) -> const Real* {
+                int k = 0;
+                while (k < count && fields[k] != field) ++k;
+                Real* const to = numbers.data() + k * D * Tile<S>::nodes;
+                if (k < count) return to;
+                fields[count++] = field;
+                tile.visit_rows([&](int place, Index start, int n) {
+                    for (int c = 0; c < D; ++c)
+                        std::copy_n(patch.column(field, c) + start, n, to + c * Tile<S>::nodes + place);
+                });
+                return to;
+            };
+            if (what.velocity) velocity = copy(*what.velocity);
+            if (what.acceleration) acceleration = copy(NodeField::acceleration);
+            if (what.gradient) gradient = copy(*what.gradient);
+            if (what.affine) affine = copy(NodeField::velocity);
+        }
+    };
+
+    static void gather_tile(const Patch<S>& patch, const Tile<S>& tile, const Particles<S>& particles,
+                            Index begin, Index last, Index end, const Gather& what, GatherSink<S>& sink) {
+        const Copies nodes(patch, tile, what);
+        Gathered<S> gathered;
+        Bases bases;
+        Places places;
+        for (Index p = begin; p < last;) {
+            const int count = static_cast<int>(std::min<Index>(batch_size, last - p));
+            find_bases(patch, particles, p, count, bases);
+            find_places(tile, bases, count, places);
+            int first = 0;
+            while (first < count) {
+                int next = first + 1;
+                while (next < count && places[next] == places[first]) ++next;
+                // More of them may lie beyond the batch: the next one has them all.
+                if (next == count && first > 0 && p + count < last) break;
+                for (int i = first; i < next; i += Lanes::lanes)
+                    gather_slice(patch, particles, places[first], base_of(bases, first),
+                                 {p + i, std::min(next - i, Lanes::lanes), p + i + Lanes::lanes <= end},
+                                 nodes, gathered, i);
+                first = next;
             }
-            if (what.affine) {
-                Axes<Lanes> moments;
-                find_moments(patch, weights, moments);
-                invert_inertia(patch, weights, moments);
-                LaneVector value;
-                store(Loops::differentiate(weights.value, moments, affine, value), gathered.affine, at,
-                      particle.count);
+            sink.receive(p, first, gathered);
+            p += first;
+        }
+    }
+
+    /// Fills the columns of `gathered` from place `at` on; all particles of the slice have the same base.
+    static void gather_slice(const Patch<S>& patch, const Particles<S>& particles, int place,
+                             const Coordinates& base, const Slice& slice, const Copies& nodes,
+                             Gathered<S>& gathered, int at) {
+        constexpr int component = Tile<S>::nodes;
+        LaneVector first, s;
+        for (int a = 0; a < D; ++a) first[a] = Lanes(base[a]);
+        Reader to;
+        weigh(patch, particles, slice, first, to.weight, to.slope, s);
+        to.multiply();
+
+        if (nodes.gradient) {
+            for (int c = 0; c < D; ++c) {
+                LaneVector gradient;
+                const Lanes value =
+                    Loops::differentiate(to, nodes.gradient + c * component + place, gradient);
+                for (int a = 0; a < D; ++a)
+                    store(gradient[a], gathered.velocity_gradient[c + D * a], at, slice.count);
+                if (nodes.gradient == nodes.velocity) store(value, gathered.velocity[c], at, slice.count);
+                if (S::axisymmetric && c == 0)
+                    store(value / slice.load(particles.column(Field::position, 0)),
+                          gathered.velocity_gradient[S::deformation_size - 1], at, slice.count);
+            }
+        }
+        const auto interpolate = [&](const Real* from, auto& columns) {
+            for (int c = 0; c < D; ++c)
+                store(Loops::interpolate(to, from + c * component + place), columns[c], at, slice.count);
+        };
+        if (nodes.velocity && nodes.gradient != nodes.velocity)
+            interpolate(nodes.velocity, gathered.velocity);
+        if (nodes.acceleration) interpolate(nodes.acceleration, gathered.acceleration);
+        if (nodes.affine) {
+            find_moments(patch, to.weight, s, to.slope);
+            invert_inertia(patch, to, s);
+            to.multiply_slopes();
+            for (int c = 0; c < D; ++c) {
+                LaneVector affine;
+                Loops::differentiate(to, nodes.affine + c * component + place, affine);
+                for (int a = 0; a < D; ++a) store(affine[a], gathered.affine[c + D * a], at, slice.count);
             }
         }
     }
 
     /// Divides the moments of each axis by D_a = sum S (x_i - x_p)_a^2: B D^-1 of the affine transfer.
-    static void invert_inertia(const Patch<S>& patch, const Weights& weights, Axes<Lanes>& moments) {
+    static void invert_inertia(const Patch<S>& patch, Reader& to, const LaneVector& s) {
         for (int a = 0; a < D; ++a) {
             Lanes inertia(0);
             for (int k = 0; k < W; ++k)
-                inertia += moments[a][k] * (Lanes(k) - weights.s[a]) * Lanes(patch.cell_size()[a]);
-            for (Lanes& moment : moments[a]) moment *= inverse_or_zero(inertia);
-        }
-    }
-
-    static void load(const Patch<S>& patch, NodeField field, const int* nodes, Nodal& values) {
-        for (int c = 0; c < D; ++c) {
-            const Real* column = patch.column(field, c);
-            for (int k = 0; k < N; ++k) values[c][k] = column[nodes[k]];
+                inertia += to.slope[a][k] * (Lanes(k) - s[a]) * Lanes(patch.cell_size()[a]);
+            for (Lanes& moment : to.slope[a]) moment *= inverse_or_zero(inertia);
         }
     }
 
@@ -349,17 +447,6 @@ class TensorProductShape : public ShapeFunction<S> {
         } else {
             for (int i = 0; i < count; ++i) column[at + i] = values[i];
         }
-    }
-    template <std::size_t Components>
-    static void store(const LaneVector& values, std::array<std::array<Real, batch_size>, Components>& columns,
-                      int at, int count) {
-        for (int c = 0; c < D; ++c) store(values[c], columns[c], at, count);
-    }
-    template <std::size_t Components>
-    static void store(const LaneMatrix& values, std::array<std::array<Real, batch_size>, Components>& columns,
-                      int at, int count) {
-        for (int c = 0; c < D; ++c)
-            for (int a = 0; a < D; ++a) store(values[c][a], columns[c + D * a], at, count);
     }
 };
 

@@ -1,7 +1,11 @@
 #include <matpoint/grid.hpp>
+#include <matpoint/parallel.hpp>
 
 #include <algorithm>
+#include <bit>
+#include <limits>
 #include <stdexcept>
+#include <string>
 
 namespace matpoint {
 
@@ -15,29 +19,46 @@ template <class S>
 Patch<S>::Patch(const std::array<double, 3>& min, const std::array<double, 3>& cell_size,
                 const Coordinates& cells)
     : cells_(cells) {
-    std::size_t count = 1;
+    double count = 1;
     for (std::size_t a = 0; a < S::dimension; ++a) {
         const auto i = static_cast<Eigen::Index>(a);
         min_[i] = static_cast<Real>(min[a]);
         cell_size_[i] = static_cast<Real>(cell_size[a]);
         inverse_cell_size_[i] = static_cast<Real>(1 / cell_size[a]);
         blocks_[a] = block_of(cells_[a] + 1) + 1;
-        count *= static_cast<std::size_t>(blocks_[a]);
+        count *= blocks_[a];
     }
-    slots_.assign(count, -1);
+    if (count > std::numeric_limits<int>::max())
+        throw std::invalid_argument("the grid has too many cells to be numbered: at most " +
+                                    std::to_string(std::numeric_limits<int>::max()) + " blocks of " +
+                                    std::to_string(block_nodes) + " nodes");
+    first_column_.fill(-1);
+    table_.resize(2);
     for (const NodeField field :
          {NodeField::mass, NodeField::velocity, NodeField::force, NodeField::acceleration})
         require(field);
 }
 
 template <class S>
+void Patch<S>::require(NodeField field) {
+    int& first = first_column_[static_cast<std::size_t>(field)];
+    if (first >= 0) return;
+    first = column_count_;
+    column_count_ += components(field);
+    columns_.resize(column_count_, columns_.size());
+}
+
+template <class S>
 void Patch<S>::set_blocks(const std::vector<int>& numbers) {
-    for (const int number : existing_) slots_[static_cast<std::size_t>(number)] = -1;
     existing_ = numbers;
-    for (std::size_t slot = 0; slot < existing_.size(); ++slot)
-        slots_[static_cast<std::size_t>(existing_[slot])] = static_cast<int>(slot);
-    for (int f = 0; f < node_fields; ++f)
-        if (const auto field = static_cast<NodeField>(f); has(field)) clear(field);
+    table_bits_ = static_cast<int>(std::bit_width(2 * existing_.size() + 1));
+    table_.assign(std::size_t{1} << table_bits_, {});
+    for (std::size_t slot = 0; slot < existing_.size(); ++slot) {
+        std::uint32_t i = first_place(existing_[slot]);
+        while (table_[i & (table_.size() - 1)].number >= 0) ++i;
+        table_[i & (table_.size() - 1)] = {existing_[slot], static_cast<int>(slot)};
+    }
+    columns_.assign(column_count_, node_count());
 }
 
 template <class S>
@@ -53,17 +74,18 @@ typename Patch<S>::Coordinates Patch<S>::node_coordinates(int index) const {
 
 template <class S>
 void Patch<S>::clear(NodeField field) {
-    for (int c = 0; c < components(field); ++c)
-        columns_[static_cast<std::size_t>(field)][static_cast<std::size_t>(c)].assign(
-            static_cast<std::size_t>(node_count()), Real(0));
+    constexpr Index chunk = 8192;
+    for (int c = 0; c < components(field); ++c) {
+        Real* const values = column(field, c);
+        parallel_for((node_count() + chunk - 1) / chunk, node_count(), [&](Index k) {
+            std::fill(values + k * chunk, values + std::min(node_count(), (k + 1) * chunk), Real(0));
+        });
+    }
 }
 
 template <class S>
 std::size_t Patch<S>::bytes() const {
-    std::size_t values = 0;
-    for (const auto& field : columns_)
-        for (const auto& column : field) values += column.capacity();
-    return values * sizeof(Real) + slots_.size() * sizeof(int);
+    return columns_.bytes() + table_.size() * sizeof(Entry);
 }
 
 #define MATPOINT_INSTANTIATE(S) template class Patch<S>;

@@ -1,3 +1,4 @@
+#include <matpoint/parallel.hpp>
 #include <matpoint/particles.hpp>
 
 #include <algorithm>
@@ -88,8 +89,8 @@ template <class S>
 int Particles<S>::add(std::string name, std::vector<double> initial) {
     if (size_ > 0) throw std::logic_error("particle field \"" + name + "\" was asked for after seeding");
     const int components = static_cast<int>(initial.size());
-    fields_.push_back({std::move(name), components, static_cast<int>(columns_.size()), std::move(initial)});
-    columns_.resize(columns_.size() + static_cast<std::size_t>(components));
+    fields_.push_back({std::move(name), components, column_count(), std::move(initial)});
+    columns_.resize(column_count(), 0);
     return static_cast<int>(fields_.size()) - 1;
 }
 
@@ -102,30 +103,36 @@ int Particles<S>::slot(std::string_view name) const {
 
 template <class S>
 void Particles<S>::resize(Index n) {
-    const auto count = static_cast<std::size_t>(n);
+    columns_.resize(column_count(), n);
     for (const FieldInfo& field : fields_)
-        for (std::size_t c = 0; c < field.initial.size(); ++c)
-            columns_[static_cast<std::size_t>(field.first) + c].resize(count,
-                                                                       static_cast<Real>(field.initial[c]));
+        for (std::size_t c = 0; c < field.initial.size(); ++c) {
+            Real* const column = columns_[static_cast<std::size_t>(field.first) + c];
+            if (n > size_) std::fill(column + size_, column + n, static_cast<Real>(field.initial[c]));
+        }
     if (has_ids_) {
         const std::size_t old = ids_.size();
-        ids_.resize(count);
-        for (std::size_t p = old; p < count; ++p) ids_[p] = static_cast<std::uint32_t>(p);
+        ids_.resize(static_cast<std::size_t>(n));
+        for (std::size_t p = old; p < ids_.size(); ++p) ids_[p] = static_cast<std::uint32_t>(p);
     }
     size_ = n;
 }
 
 template <class S>
-void Particles<S>::permute(const std::vector<Index>& order) {
-    spare_.resize(order.size());
-    for (std::vector<Real>& column : columns_) {
-        for (std::size_t k = 0; k < order.size(); ++k) spare_[k] = column[static_cast<std::size_t>(order[k])];
-        column.swap(spare_);
-        spare_.resize(order.size());
+void Particles<S>::permute(std::span<const std::uint32_t> order) {
+    constexpr Index chunk = 16384;
+    const auto count = static_cast<Index>(order.size());
+    for (std::size_t c = 0; c < static_cast<std::size_t>(columns_.count()); ++c) {
+        const Real* const from = columns_[c];
+        Real* const to = columns_.spare();
+        parallel_for((count + chunk - 1) / chunk, count, [&](Index task) {
+            const auto end = static_cast<std::size_t>(std::min(count, (task + 1) * chunk));
+            for (auto k = static_cast<std::size_t>(task * chunk); k < end; ++k) to[k] = from[order[k]];
+        });
+        columns_.exchange_with_spare(c);
     }
     if (has_ids_) {
         std::vector<std::uint32_t> ids(order.size());
-        for (std::size_t k = 0; k < order.size(); ++k) ids[k] = ids_[static_cast<std::size_t>(order[k])];
+        for (std::size_t k = 0; k < order.size(); ++k) ids[k] = ids_[order[k]];
         ids_.swap(ids);
     }
     size_ = static_cast<Index>(order.size());
@@ -133,7 +140,7 @@ void Particles<S>::permute(const std::vector<Index>& order) {
 
 template <class S>
 std::size_t Particles<S>::bytes_per_particle() const {
-    return columns_.size() * sizeof(Real) + (has_ids_ ? sizeof(std::uint32_t) : 0);
+    return static_cast<std::size_t>(column_count()) * sizeof(Real) + (has_ids_ ? sizeof(std::uint32_t) : 0);
 }
 
 #define MATPOINT_INSTANTIATE(S) template class Particles<S>;

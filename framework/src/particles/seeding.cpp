@@ -23,13 +23,6 @@ constexpr Index candidates_per_task = 65536;
 /// What the particles' numbers can tell apart.
 constexpr double most_places = std::numeric_limits<std::uint32_t>::max();
 
-struct Seed {
-    Eigen::Vector3d position;   ///< m
-    Eigen::Vector3d velocity;   ///< m/s
-    Eigen::Vector3d half_size;  ///< m
-    double volume;              ///< m^3 (m^2 in plane strain, m in 1D; of the whole ring when axisymmetric)
-};
-
 /// Volume of what a particle's cross-section sweeps: 2 pi r when axisymmetric. With r at its middle,
 /// the volume of a rectangle's ring is exact.
 template <class S>
@@ -68,9 +61,18 @@ Axis lattice_axis(const Patch<S>& patch, const Geometry::Bounds& bounds, int a, 
     return axis;
 }
 
+using Points = std::vector<Eigen::Vector3d>;
+
+/// The lattice in the geometry's box, and those of its points that the geometry contains, a list for each
+/// task.
+struct Filling {
+    Eigen::Vector3d half_size;  ///< m, of every particle
+    double area;                ///< m^D, of a particle's cross-section
+    std::vector<Points> points;
+};
+
 template <class S>
-std::vector<Seed> seeds_of_region(const Patch<S>& patch, const Geometry& geometry,
-                                  const std::array<int, 3>& per_cell) {
+Filling fill_region(const Patch<S>& patch, const Geometry& geometry, const std::array<int, 3>& per_cell) {
     const Geometry::Bounds bounds = geometry.bounds();
     std::array<Axis, 3> axes;
     double places = 1;
@@ -84,9 +86,8 @@ std::vector<Seed> seeds_of_region(const Patch<S>& patch, const Geometry& geometr
             fmt::format("its box holds {:.3g} places for particles, more than {:.3g}: take larger cells",
                         places, most_places));
     const auto& [x, y, z] = axes;
-    const Eigen::Vector3d half_size(x.half_size, y.half_size, z.half_size);
-    double area = 1;
-    for (int a = 0; a < S::dimension; ++a) area *= 2 * half_size[a];
+    Filling filling{{x.half_size, y.half_size, z.half_size}, 1, {}};
+    for (int a = 0; a < S::dimension; ++a) filling.area *= 2 * filling.half_size[a];
 
     // A task is some rows of cells along x; putting the tasks' points together in their order makes
     // the particles' order independent of the threads.
@@ -94,9 +95,10 @@ std::vector<Seed> seeds_of_region(const Patch<S>& patch, const Geometry& geometr
     const Index points_per_row = std::max<Index>(1, x.cells() * x.per_cell * y.per_cell * z.per_cell);
     const Index rows_per_task = std::max<Index>(1, candidates_per_task / points_per_row);
     const Index tasks = (rows + rows_per_task - 1) / rows_per_task;
-    std::vector<std::vector<Eigen::Vector3d>> found(static_cast<std::size_t>(tasks));
+    filling.points.resize(static_cast<std::size_t>(tasks));
     parallel_for(tasks, rows * points_per_row, [&](Index task) {
-        std::vector<Eigen::Vector3d> candidates;
+        Points candidates;
+        candidates.reserve(static_cast<std::size_t>(rows_per_task * points_per_row));
         for (Index row = task * rows_per_task; row < std::min(rows, (task + 1) * rows_per_task); ++row) {
             const int cy = y.first + static_cast<int>(row % y.cells()),
                       cz = z.first + static_cast<int>(row / y.cells());
@@ -107,21 +109,17 @@ std::vector<Seed> seeds_of_region(const Patch<S>& patch, const Geometry& geometr
                             candidates.emplace_back(x.at(cx, kx), y.at(cy, ky), z.at(cz, kz));
         }
         const std::vector<char> inside = geometry.contains(candidates);
-        std::vector<Eigen::Vector3d>& kept = found[static_cast<std::size_t>(task)];
+        Points& kept = filling.points[static_cast<std::size_t>(task)];
+        kept.reserve(candidates.size() -
+                     static_cast<std::size_t>(std::count(inside.begin(), inside.end(), 0)));
         for (std::size_t i = 0; i < candidates.size(); ++i)
             if (inside[i]) kept.push_back(candidates[i]);
     });
-
-    std::vector<Seed> seeds;
-    for (const std::vector<Eigen::Vector3d>& kept : found)
-        for (const Eigen::Vector3d& position : kept)
-            seeds.push_back({position, Eigen::Vector3d::Zero(), half_size, area * width<S>(position)});
-    return seeds;
+    return filling;
 }
 
 template <class S>
-std::vector<Seed> seeds_of_points(const Patch<S>& patch, const PointCloud& cloud, const std::string& body) {
-    std::vector<Seed> seeds;
+void expect_on_grid(const Patch<S>& patch, const PointCloud& cloud, const std::string& body) {
     for (std::size_t i = 0; i < cloud.points.size(); ++i) {
         const PointCloud::Point& point = cloud.points[i];
         bool outside = S::axisymmetric && point.position[0] <= 0;
@@ -135,43 +133,76 @@ std::vector<Seed> seeds_of_points(const Patch<S>& patch, const PointCloud& cloud
                 fmt::format("body \"{}\": point {} of its geometry's {}, at [{}], is outside the grid", body,
                             i + 1, cloud.points.size(),
                             fmt::join(point.position.data(), point.position.data() + S::dimension, ", ")));
-        const double size = std::pow(point.volume / width<S>(point.position), 1.0 / S::dimension);
-        seeds.push_back({point.position, point.velocity,
-                         point.half_size.value_or(Eigen::Vector3d::Constant(size / 2)), point.volume});
     }
-    return seeds;
 }
+
+/// Sets one particle after the other.
+template <class S>
+class Sower {
+  public:
+    Sower(Particles<S>& particles, Index count, double density, const InitialVelocity& velocity)
+        : particles_(particles), density_(density), velocity_(velocity) {
+        if (count == 0)
+            throw std::invalid_argument(
+                fmt::format("body \"{}\": its geometry contains no particle; check that it lies within the "
+                            "grid and is not smaller than the distance between particles, "
+                            "the cell size over \"particles_per_cell\"",
+                            particles.body()));
+        particles.resize(count);
+    }
+
+    /// `volume` in m^3 (m^2 in plane strain, m in 1D; of the whole ring when axisymmetric); `velocity`, m/s,
+    /// is added to the body's.
+    void sow(const Eigen::Vector3d& position, const Eigen::Vector3d& velocity,
+             const Eigen::Vector3d& half_size, double volume) {
+        set(Field::position, position);
+        set(Field::initial_position, position);
+        set(Field::velocity, velocity_ ? Eigen::Vector3d(velocity_(position) + velocity) : velocity);
+        set(Field::half_size, half_size);
+        set(Field::initial_half_size, half_size);
+        particles_.column(Field::volume)[next_] = static_cast<Real>(volume);
+        particles_.column(Field::mass)[next_] = static_cast<Real>(density_ * volume);
+        ++next_;
+    }
+
+  private:
+    using Real = typename S::Real;
+
+    void set(Field field, const Eigen::Vector3d& value) {
+        if (!particles_.has(field)) return;
+        for (int a = 0; a < S::dimension; ++a)
+            particles_.column(field, a)[next_] = static_cast<Real>(value[a]);
+    }
+
+    Particles<S>& particles_;
+    double density_;  // kg/m^3
+    const InitialVelocity& velocity_;
+    Index next_ = 0;
+};
 
 }  // namespace
 
 template <class S>
 void seed(Particles<S>& particles, const Patch<S>& patch, const Geometry& geometry,
           const std::array<int, 3>& particles_per_cell, double density, const InitialVelocity& velocity) {
-    const PointCloud* const cloud = geometry.points();
-    const std::vector<Seed> seeds = cloud ? seeds_of_points(patch, *cloud, particles.body())
-                                          : seeds_of_region(patch, geometry, particles_per_cell);
-    if (seeds.empty())
-        throw std::invalid_argument(
-            fmt::format("body \"{}\": its geometry contains no particle; check that it lies within the "
-                        "grid and is not smaller than the distance between particles, "
-                        "the cell size over \"particles_per_cell\"",
-                        particles.body()));
-    using Real = typename S::Real;
-    particles.resize(static_cast<Index>(seeds.size()));
-    const auto set = [&](Field field, Index p, const Eigen::Vector3d& value) {
-        if (!particles.has(field)) return;
-        for (int a = 0; a < S::dimension; ++a) particles.column(field, a)[p] = static_cast<Real>(value[a]);
-    };
-    for (Index p = 0; p < particles.size(); ++p) {
-        const Seed& s = seeds[static_cast<std::size_t>(p)];
-        set(Field::position, p, s.position);
-        set(Field::initial_position, p, s.position);
-        set(Field::velocity, p, velocity ? Eigen::Vector3d(velocity(s.position) + s.velocity) : s.velocity);
-        set(Field::half_size, p, s.half_size);
-        set(Field::initial_half_size, p, s.half_size);
-        particles.column(Field::volume)[p] = static_cast<Real>(s.volume);
-        particles.column(Field::mass)[p] = static_cast<Real>(density * s.volume);
+    if (const PointCloud* const cloud = geometry.points()) {
+        expect_on_grid(patch, *cloud, particles.body());
+        Sower<S> sower(particles, static_cast<Index>(cloud->points.size()), density, velocity);
+        for (const PointCloud::Point& point : cloud->points) {
+            const double size = std::pow(point.volume / width<S>(point.position), 1.0 / S::dimension);
+            sower.sow(point.position, point.velocity,
+                      point.half_size.value_or(Eigen::Vector3d::Constant(size / 2)), point.volume);
+        }
+        return;
     }
+    const Filling filling = fill_region(patch, geometry, particles_per_cell);
+    Index count = 0;
+    for (const Points& points : filling.points) count += static_cast<Index>(points.size());
+    Sower<S> sower(particles, count, density, velocity);
+    for (const Points& points : filling.points)
+        for (const Eigen::Vector3d& position : points)
+            sower.sow(position, Eigen::Vector3d::Zero(), filling.half_size,
+                      filling.area * width<S>(position));
 }
 
 #define MATPOINT_INSTANTIATE(S)                                                                       \

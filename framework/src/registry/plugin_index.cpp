@@ -36,6 +36,14 @@ PluginRecord read_index_file(const fs::path& file, const fs::path& library) {
     }
 }
 
+/// The folder of the installation's kernel; that for a higher instruction set lies below it, in
+/// glibc-hwcaps/<instruction set>.
+fs::path library_folder() {
+    const fs::path folder = fs::absolute(fs::path(boost::dll::this_line_location())).parent_path();
+    const fs::path above = folder.parent_path();
+    return above.filename() == "glibc-hwcaps" ? above.parent_path() : folder;
+}
+
 }  // namespace
 
 bool PluginRecord::offers(const std::string& kind, const std::string& type) const {
@@ -100,8 +108,7 @@ std::vector<fs::path> plugin_folders() {
             folders.emplace_back(folder);
         }
     }
-    const fs::path kernel = boost::dll::this_line_location();
-    folders.push_back(fs::absolute(kernel).parent_path() / MATPOINT_PLUGIN_DIR_FROM_LIB);
+    folders.push_back(library_folder() / MATPOINT_PLUGIN_DIR_FROM_LIB);
     return folders;
 }
 

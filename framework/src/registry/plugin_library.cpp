@@ -1,5 +1,7 @@
 #include "registry/plugin_library.hpp"
 
+#include "registry/instruction_set.hpp"
+
 #define BOOST_DLL_USE_STD_FS
 #include <dlfcn.h>
 #include <fmt/format.h>
@@ -30,6 +32,18 @@ std::string text(const char (&characters)[N]) {
 /// 30400 -> "3.4.0"
 std::string version_text(int version) {
     return fmt::format("{}.{}.{}", version / 10000, version / 100 % 100, version % 100);
+}
+
+/// The plugin's build for the highest instruction set that the kernel's has all of: <name>.so in the folder
+/// x86-64-v4, say, below the plugin's, or the plugin itself.
+std::filesystem::path best_build(const std::filesystem::path& plugin) {
+    bool kernel_has_it = false;
+    for (const std::string_view set : {"x86-64-v4", "x86-64-v3"}) {
+        kernel_has_it = kernel_has_it || set == instruction_set();
+        const std::filesystem::path build = plugin.parent_path() / set / plugin.filename();
+        if (kernel_has_it && std::filesystem::exists(plugin) && std::filesystem::exists(build)) return build;
+    }
+    return plugin;
 }
 
 /// Turns the dynamic linker's reason into one that says what to do.
@@ -101,7 +115,9 @@ void check_stamp(const std::filesystem::path& file, const matpoint_abi_stamp& pl
 
 }  // namespace
 
-PluginLibrary::PluginLibrary(const std::filesystem::path& file) : file_(file) {
+PluginLibrary::PluginLibrary(const std::filesystem::path& plugin)
+    : file_(plugin), opened_(best_build(plugin)) {
+    const std::filesystem::path& file = opened_;
     const boost::dll::shared_library library = open(file);
     constexpr const char* advice = "a plugin's source has MATPOINT_PLUGIN(\"name\", \"version\") { ... }";
     if (!library.has("matpoint_plugin_stamp"))
@@ -130,7 +146,7 @@ Registry PluginLibrary::components() const {
     } catch (const std::exception& error) {
         throw PluginError(
             fmt::format("plugin \"{}\" {} ({}) failed while it registered its components: \"{}\"", name_,
-                        version_, file_.string(), error.what()));
+                        version_, opened_.string(), error.what()));
     }
     return registry;
 }

@@ -20,10 +20,13 @@ class PluginError : public std::runtime_error {
 /// (components, their virtual tables, schemas) may outlive this object.
 class PluginLibrary {
   public:
-    /// Opens the library and compares its stamp with the kernel's before any C++ call into it.
+    /// Opens the library, or its build for the kernel's instruction set, and compares its stamp with the
+    /// kernel's before any C++ call into it.
     explicit PluginLibrary(const std::filesystem::path& file);
 
     const std::filesystem::path& file() const { return file_; }
+    /// The build that was opened: file() or one in a folder below it.
+    const std::filesystem::path& opened_file() const { return opened_; }
     const std::string& name() const { return name_; }
     const std::string& version() const { return version_; }
 
@@ -31,7 +34,7 @@ class PluginLibrary {
     Registry components() const;
 
   private:
-    std::filesystem::path file_;
+    std::filesystem::path file_, opened_;
     std::string name_, version_;
     void (*register_)(Registry&) = nullptr;
 };

@@ -263,8 +263,10 @@ Assembly<S> assemble(const Scene& scene, const Registry& registry) {
                 return v;
             };
             seed<S>(particles, patch, *geometries[number], per_cell, material->density(), initial_velocity);
+            const bool varies = std::ranges::any_of(
+                body.at("velocity"), [](const Json& component) { return component.is_string(); });
             for (const Field field : {Field::velocity_gradient, Field::affine_velocity})
-                if (particles.has(field))
+                if (varies && particles.has(field))
                     set_initial_gradient(particles, field, initial_velocity, patch.cell_size()[0]);
         });
         maker.attempt(join_pointer("/bodies", name), [&] {

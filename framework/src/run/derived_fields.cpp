@@ -1,5 +1,6 @@
 #include "run/derived_fields.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -67,6 +68,30 @@ const Derived<S>* find_derived(const Particles<S>& particles, const std::string&
     return nullptr;
 }
 
+/// Where each particle stands in the order of ids; ids may have gaps where particles were deleted.
+template <class S>
+class PlacesById {
+  public:
+    explicit PlacesById(const Particles<S>& particles) {
+        if (!particles.has(Field::id)) return;
+        ids_ = particles.ids().data();
+        std::uint32_t largest = 0;
+        for (const std::uint32_t id : particles.ids()) largest = std::max(largest, id);
+        if (particles.size() == Index{largest} + 1) return;
+        ranks_.assign(std::size_t{largest} + 1, 0);
+        for (const std::uint32_t id : particles.ids()) ranks_[id] = 1;
+        std::exclusive_scan(ranks_.begin(), ranks_.end(), ranks_.begin(), std::uint32_t{0});
+    }
+    std::size_t operator[](Index p) const {
+        if (!ids_) return static_cast<std::size_t>(p);
+        return ranks_.empty() ? ids_[p] : ranks_[ids_[p]];
+    }
+
+  private:
+    const std::uint32_t* ids_ = nullptr;
+    std::vector<std::uint32_t> ranks_;  ///< by id; none if there are no gaps
+};
+
 }  // namespace
 
 std::optional<Field> field_behind(const std::string& name) {
@@ -94,31 +119,16 @@ int field_components(const Particles<S>& particles, const std::string& field) {
 
 template <class S>
 std::vector<double> field_column(const Particles<S>& particles, const std::string& field, int component) {
-    const auto n = static_cast<std::size_t>(particles.size());
-    // Ids may have gaps where particles were deleted: ranks, not the ids themselves, are the places.
-    std::vector<std::size_t> order(n);
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    if (particles.has(Field::id)) {
-        const auto& ids = particles.ids();
-        std::vector<std::size_t> by_id;
-        for (std::size_t p = 0; p < n; ++p) {
-            if (ids[p] >= by_id.size()) by_id.resize(ids[p] + std::size_t{1}, n);
-            by_id[ids[p]] = p;
-        }
-        order.clear();
-        for (const std::size_t p : by_id)
-            if (p < n) order.push_back(p);
-    }
-
-    std::vector<double> values(n);
+    const PlacesById<S> places(particles);
+    const Index n = particles.size();
+    std::vector<double> values(static_cast<std::size_t>(n));
     if (const int slot = particles.slot(field); slot >= 0) {
         const auto* column = particles.column(slot, component);
-        for (std::size_t k = 0; k < n; ++k) values[k] = static_cast<double>(column[order[k]]);
+        for (Index p = 0; p < n; ++p) values[places[p]] = static_cast<double>(column[p]);
     } else if (field == "id") {
-        for (std::size_t k = 0; k < n; ++k) values[k] = particles.ids()[order[k]];
+        for (Index p = 0; p < n; ++p) values[places[p]] = particles.ids()[static_cast<std::size_t>(p)];
     } else if (const Derived<S>* derived = find_derived(particles, field)) {
-        for (std::size_t k = 0; k < n; ++k)
-            values[k] = derived->value(particles, static_cast<Index>(order[k]), component);
+        for (Index p = 0; p < n; ++p) values[places[p]] = derived->value(particles, p, component);
     }
     return values;
 }

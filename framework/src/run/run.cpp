@@ -92,15 +92,16 @@ class Run {
         } catch (const Breakdown& breakdown) {
             result.status = RunStatus::broke_down;
             result.reason = breakdown.what();
-            save_last_good(result);
         } catch (const std::runtime_error& failure) {
             // A full disk, say: what can still be saved is saved, then the reason is told.
             result.status = RunStatus::unfinished;
             result.reason = failure.what();
-            save_after_failure(result);
         }
+        flush_outputs(result);
+        if (result.status == RunStatus::broke_down) save_last_good(result);
+        if (result.status == RunStatus::unfinished) save_after_failure(result);
         progress.clear();
-        result.final_state = simulation_->state();
+        if (options_.keep_state) result.final_state = simulation_->state();
         result.summary = summarise(*simulation_, catalogue_, clock_, result);
         write_summary(result);
         if (!options_.quiet) print_closing_table(*simulation_, result);
@@ -113,6 +114,19 @@ class Run {
         for (const ScheduledOutput& scheduled : simulation_->outputs()) {
             scheduled.output->open(*simulation_, options_.output, resumed_at);
             if (!options_.resume) scheduled.output->write(*simulation_);
+        }
+    }
+
+    /// What was being written in the background is in its file, or the reason why not is told: however the
+    /// run ended.
+    void flush_outputs(RunResult& result) {
+        for (const ScheduledOutput& scheduled : simulation_->outputs()) {
+            try {
+                scheduled.output->flush();
+            } catch (const std::runtime_error& failure) {
+                if (result.status != RunStatus::broke_down) result.status = RunStatus::unfinished;
+                result.reason += std::string(result.reason.empty() ? "" : "\n") + failure.what();
+            }
         }
     }
 
@@ -143,8 +157,7 @@ class Run {
             }
             if (clock_.wall_seconds() > refuge_due) {
                 refuge_due = clock_.wall_seconds() + refuge_interval;
-                fs::create_directories(checkpoint_folder());
-                write_checkpoint(refuge_file(), simulation_->state());
+                write_state(refuge_file());
             }
             progress.show(*simulation_, clock_);
         }
@@ -163,9 +176,15 @@ class Run {
 
     fs::path save() {
         fs::path file = checkpoint_path(checkpoint_folder(), simulation_->step());
-        fs::create_directories(file.parent_path());
-        write_checkpoint(file, simulation_->state());
+        write_state(file);
         return file;
+    }
+
+    /// After the files of the steps before: a run that goes on from here does not write them again.
+    void write_state(const fs::path& file) {
+        for (const ScheduledOutput& scheduled : simulation_->outputs()) scheduled.output->flush();
+        fs::create_directories(checkpoint_folder());
+        write_checkpoint(file, simulation_->state());
     }
 
     /// Runs being deterministic, the state before a breakdown is recomputed rather than kept at hand:

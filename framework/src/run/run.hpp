@@ -12,6 +12,7 @@ struct RunOptions {
     std::filesystem::path output;            ///< folder for results; made if missing
     bool progress = false;                   ///< a progress line on stderr (the CLI sets it on a terminal)
     bool quiet = false;                      ///< no closing table on stdout
+    bool keep_state = false;                 ///< the result holds the state at the end: as much memory again
     std::optional<CheckpointData> resume{};  ///< continue from this state
     std::optional<long> stop_after_steps{};  ///< stop as if interrupted after this many steps in all (tests)
 };
@@ -22,7 +23,7 @@ struct RunResult {
     RunStatus status = RunStatus::completed;
     std::string reason{};          ///< why it did not complete
     Json summary{};                ///< what summary.json holds
-    CheckpointData final_state{};  ///< state at the end
+    CheckpointData final_state{};  ///< state at the end, if asked for
     int exit_status() const { return status == RunStatus::completed ? 0 : 1; }
 };
 

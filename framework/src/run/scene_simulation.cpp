@@ -161,10 +161,10 @@ void SceneSimulation<S>::remove_strays() {
 
     for (std::size_t b = 0, s = 0; b < assembly_.bodies.size(); ++b) {
         Particles<S>& particles = assembly_.bodies[b];
-        std::vector<Index> kept;
+        std::vector<std::uint32_t> kept;
         for (Index p = 0; p < particles.size(); ++p) {
             if (s >= strays.size() || strays[s].body != b || strays[s].particle != p) {
-                kept.push_back(p);
+                kept.push_back(static_cast<std::uint32_t>(p));
                 continue;
             }
             ++s;

@@ -88,6 +88,13 @@ std::size_t SceneSimulation<S>::bytes_per_particle() const {
 }
 
 template <class S>
+Json SceneSimulation<S>::phase_seconds() const {
+    Json seconds = Json::object();
+    for (std::size_t k = 0; k < step_phases.size(); ++k) seconds[step_phases[k]] = engine_.seconds()[k];
+    return seconds;
+}
+
+template <class S>
 std::size_t SceneSimulation<S>::memory_bytes() const {
     return bytes_per_particle() * particle_count() + engine_.patch().bytes();
 }

@@ -63,6 +63,8 @@ class Simulation : public RunView {
     virtual std::size_t particle_count() const = 0;
     virtual std::size_t bytes_per_particle() const = 0;
     virtual std::size_t memory_bytes() const = 0;
+    /// Wall seconds of the steps so far by phase.
+    virtual Json phase_seconds() const = 0;
     virtual std::vector<std::string> particle_fields() const = 0;
     virtual std::vector<std::string> node_fields() const = 0;
     /// Norms of the deviation from the scene's exact solution so far; empty if it has none.

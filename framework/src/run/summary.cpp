@@ -1,5 +1,7 @@
 #include "run/summary.hpp"
 
+#include "registry/instruction_set.hpp"
+
 #include <matpoint/parallel.hpp>
 
 #include <fmt/format.h>
@@ -51,8 +53,10 @@ Json summarise(const Simulation& simulation, const PluginCatalogue& catalogue, c
         {"cpu_seconds", clock.step_cpu_seconds},
         {"nanoseconds_per_particle_step",
          clock.particle_steps > 0 ? 1e9 * clock.step_wall_seconds / clock.particle_steps : 0.0},
+        {"phases", simulation.phase_seconds()},
         {"particle_steps", clock.particle_steps},
         {"threads", threads()},
+        {"instruction_set", instruction_set()},
         {"bytes_per_particle", simulation.bytes_per_particle()},
         {"peak_memory_bytes", peak_memory_bytes()},
         {"loaded_plugins", Json::array()},

@@ -1,4 +1,4 @@
-#include "step/engine.hpp"
+#include "step/phase_timer.hpp"
 
 #include <matpoint/parallel.hpp>
 
@@ -50,6 +50,7 @@ void Engine<S>::step(long number, double time, double dt, double last_dt) {
 
 template <class S>
 void Engine<S>::prepare() {
+    const Timer timer(*this, StepPhase::order);
     for (Particles<S>& particles : bodies_) components_.shape->start_step(patch_, particles);
     if (ordering_.update(patch_, bodies_, *components_.shape) || !located_) {
         patch_.set_blocks(ordering_.blocks(patch_));
@@ -83,6 +84,7 @@ int Engine<S>::affine_slot(const Particles<S>& particles, NodeField momentum) co
 
 template <class S>
 void Engine<S>::scatter(const Scatter& request) {
+    const Timer timer(*this, StepPhase::scatter);
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
         Scatter own = request;
         own.affine_slot = request.momentum ? affine_slot(bodies_[b], *request.momentum) : -1;
@@ -99,6 +101,7 @@ void Engine<S>::scatter(const Scatter& request) {
 
 template <class S>
 void Engine<S>::project(typename Phases<S>::Projection projection) {
+    const Timer timer(*this, StepPhase::nodes);
     Scatter request;
     if (projection.velocity) {
         request.mass = true;
@@ -133,6 +136,7 @@ void Engine<S>::project(typename Phases<S>::Projection projection) {
 template <class S>
 void Engine<S>::apply_loads() {
     if (components_.loads.empty()) return;
+    const Timer timer(*this, StepPhase::loads);
     patch_.clear(NodeField::external_force);
     LoadContext<S> context{time_, patch_, bodies_, *components_.shape, components_.exact_solution.get()};
     for (const auto& load : components_.loads) load->apply(context);
@@ -165,6 +169,7 @@ void Engine<S>::finish_velocity(NodeField field, double time) {
 
 template <class S>
 void Engine<S>::accelerate(Real dt, Real factor) {
+    const Timer timer(*this, StepPhase::nodes);
     const bool loaded = !components_.loads.empty();
     const Real* mass = patch_.column(NodeField::mass);
     const Real cutoff = static_cast<Real>(mass_cutoff * largest_mass_);
@@ -229,6 +234,7 @@ void Engine<S>::add_reactions(NodeField source, NodeField value, double share, d
 
 template <class S>
 void Engine<S>::remap() {
+    const Timer timer(*this, StepPhase::nodes);
     patch_.clear(NodeField::remapped_velocity);
     scatter({.momentum = NodeField::remapped_velocity});
     walls_.fold_momentum(patch_, NodeField::remapped_velocity, velocity_to_);

@@ -47,8 +47,20 @@ struct Tally {
     std::vector<std::array<double, 3>> reactions;  ///< N, by boundary condition
 };
 
+/// What a step's time goes into.
+enum class StepPhase {
+    order,    ///< sorting, the shape's domains and the blocks of nodes
+    scatter,  ///< particles to nodes
+    loads,
+    nodes,   ///< walls, velocities and accelerations
+    gather,  ///< nodes to particles, with their new strain and stress
+};
+inline constexpr std::array<const char*, 5> step_phases = {"order", "scatter", "loads", "nodes", "gather"};
+using PhaseSeconds = std::array<double, step_phases.size()>;
+
 /// The part of a tally that one task over particles adds up.
 struct Partial {
+    bool off_grid = false;  ///< whether one of the particles has left the grid
     double kinetic = 0, momentum_scale = 0, strain_work = 0;
     std::array<double, 3> momentum{};
     double largest_speed = 0, largest_wave_speed = 0;
@@ -65,13 +77,18 @@ class Engine final : public Phases<S> {
     Engine(Components<S> components, std::vector<Particles<S>>& bodies, std::vector<int> first_states);
 
     /// Particles off the grid, to be dealt with before step().
-    std::vector<Stray> strays() const { return ordering_.strays(patch_, bodies_); }
+    std::vector<Stray> strays() const {
+        if (!off_grid_) return {};
+        return ordering_.strays(patch_, bodies_);
+    }
     /// One step of length dt (s) from `time` (s), after one of last_dt. What went wrong is in faults().
     void step(long number, double time, double dt, double last_dt);
     /// Brings particles into order and makes the blocks of nodes that they reach.
     void prepare();
     const Tally& tally() const { return tally_; }
     const std::vector<Fault>& faults() const { return faults_; }
+    /// Wall time of all steps so far.
+    const PhaseSeconds& seconds() const { return seconds_; }
     /// Mass and velocity of the nodes as the present particles give them, as a step that begins at `time` (s)
     /// would have them.
     void project_velocity(double time);
@@ -80,8 +97,9 @@ class Engine final : public Phases<S> {
 
     const Ordering<S>& ordering() const { return ordering_; }
     void restore(std::size_t body, std::vector<BlockRange> ranges) {
-        ordering_.restore(patch_, body, std::move(ranges));
+        ordering_.restore(patch_, bodies_, body, std::move(ranges));
         located_ = false;
+        off_grid_ = true;
     }
     void forget(std::size_t body) { ordering_.forget(body); }
     const Patch<S>& patch() const { return patch_; }
@@ -94,6 +112,8 @@ class Engine final : public Phases<S> {
 
   private:
     class BatchUpdate;
+    /// Counts the time of its life to a phase.
+    class Timer;
 
     void scatter(const Scatter& request);
     int affine_slot(const Particles<S>& particles, NodeField momentum) const;
@@ -103,7 +123,7 @@ class Engine final : public Phases<S> {
     void add_load_work(Real dt, Real factor);
     void add_reactions(NodeField source, NodeField value, double share, double time);
     Index node_tasks() const;
-    void collect(bool velocity, bool stress);
+    void collect(typename Phases<S>::Update what);
 
     Components<S> components_;
     std::vector<Particles<S>>& bodies_;
@@ -112,11 +132,13 @@ class Engine final : public Phases<S> {
     Ordering<S> ordering_;
     Walls<S> walls_;
     bool located_ = false;
+    bool off_grid_ = true;  ///< whether a particle may have left the grid
     double largest_mass_ = 0;
     std::vector<char> inside_;            ///< by node: on or within the grid's faces
     std::array<double, 3> load_force_{};  ///< N, sum of the external forces
     std::vector<double> node_sums_;       ///< by task over nodes
     std::vector<Partial> partials_;       ///< by task over particles
+    PhaseSeconds seconds_{};
 
     long number_ = 0;
     double time_ = 0, dt_ = 0;

@@ -3,7 +3,6 @@
 #include <matpoint/parallel.hpp>
 
 #include <algorithm>
-#include <atomic>
 #include <numeric>
 
 namespace matpoint {
@@ -49,73 +48,93 @@ bool Ordering<S>::update(const Patch<S>& patch, std::vector<Particles<S>>& bodie
     bool sorted = false;
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         const Index covered = ranges_[b].empty() ? 0 : ranges_[b].back().end;
-        if (covered == bodies[b].size() && !strayed(patch, bodies[b], ranges_[b], shape)) continue;
+        if (covered == bodies[b].size() && !strayed(patch, bodies[b], b, shape)) continue;
         sort(patch, bodies[b], ranges_[b], shape);
         colour(patch, b);
+        measure(bodies[b], b);
         sorted = true;
     }
     return sorted;
 }
 
 template <class S>
-bool Ordering<S>::strayed(const Patch<S>& patch, const Particles<S>& particles, const Ranges& ranges,
+bool Ordering<S>::strayed(const Patch<S>& patch, const Particles<S>& particles, std::size_t body,
                           const ShapeFunction<S>& shape) const {
-    std::atomic<bool> found = false;
-    parallel_for(static_cast<Index>(ranges.size()), particles.size(), [&](Index r) {
-        const BlockRange& range = ranges[static_cast<std::size_t>(r)];
-        const auto block = patch.block_coordinates(range.block);
-        std::array<typename Patch<S>::Coordinates, batch_size> base;
-        for (Index begin = range.begin; begin < range.end && !found; begin += batch_size) {
-            const Index end = std::min(range.end, begin + batch_size);
-            shape.base_nodes(patch, particles, begin, end, base.data());
-            bool outside = false;
-            for (Index p = begin; p < end; ++p)
-                for (std::size_t a = 0; a < S::dimension; ++a) {
-                    // Cells counted from the block's first, which stores node 4 block - 1.
-                    const int cell =
-                        base[static_cast<std::size_t>(p - begin)][a] + 1 - Patch<S>::block_edge * block[a];
-                    outside |= cell < -1 || cell > Patch<S>::block_edge;
-                }
-            if (outside) found = true;
+    for (std::size_t r = 0; r < ranges_[body].size(); ++r) {
+        const Bounds<S>& bounds = bounds_[body][r];
+        const auto block = patch.block_coordinates(ranges_[body][r].block);
+        const auto low = shape.base_node(patch, particles, bounds.low);
+        const auto high = shape.base_node(patch, particles, bounds.high);
+        for (std::size_t a = 0; a < S::dimension; ++a) {
+            // Cells counted from the block's first, which stores node 4 block - 1.
+            const int first = Patch<S>::block_edge * block[a] - 1;
+            if (low[a] - first < -1 || high[a] - first > Patch<S>::block_edge) return true;
         }
-    });
-    return found;
+    }
+    return false;
 }
 
 template <class S>
+void Ordering<S>::measure(const Particles<S>& particles, std::size_t body) {
+    const Ranges& ranges = ranges_[body];
+    bounds_[body].resize(ranges.size());
+    parallel_for(static_cast<Index>(ranges.size()), particles.size(), [&](Index r) {
+        const BlockRange& range = ranges[static_cast<std::size_t>(r)];
+        for (int a = 0; a < S::dimension; ++a) {
+            const auto* x = particles.column(Field::position, a);
+            const auto [low, high] = std::minmax_element(x + range.begin, x + range.end);
+            bounds_[body][static_cast<std::size_t>(r)].low[a] = *low;
+            bounds_[body][static_cast<std::size_t>(r)].high[a] = *high;
+        }
+    });
+}
+
+/// By counting: the particles of each block, then of each cell in it, in their present order.
+template <class S>
 void Ordering<S>::sort(const Patch<S>& patch, Particles<S>& particles, Ranges& ranges,
                        const ShapeFunction<S>& shape) {
+    constexpr int nodes = Patch<S>::block_nodes;
     const Index n = particles.size();
-    // Block, then base node within the block, then present place: particles of one stencil lie together.
-    std::vector<std::pair<std::int64_t, Index>> keys(static_cast<std::size_t>(n));
+    std::vector<int> block(static_cast<std::size_t>(n));
+    std::vector<unsigned char> cell(static_cast<std::size_t>(n));
     parallel_for((n + chunk - 1) / chunk, n, [&](Index k) {
         const Index begin = k * chunk, end = std::min(n, begin + chunk);
         std::vector<typename Patch<S>::Coordinates> base(static_cast<std::size_t>(end - begin));
         shape.base_nodes(patch, particles, begin, end, base.data());
         for (Index p = begin; p < end; ++p) {
             const auto& node = base[static_cast<std::size_t>(p - begin)];
-            typename Patch<S>::Coordinates block;
+            typename Patch<S>::Coordinates own;
             int local = 0;
-            for (int a = S::dimension - 1; a >= 0; --a) {
-                const auto i = static_cast<std::size_t>(a);
-                block[i] = Patch<S>::block_of(node[i]);
-                local = local * Patch<S>::block_edge + ((node[i] + 1) & (Patch<S>::block_edge - 1));
+            for (std::size_t a = S::dimension; a-- > 0;) {
+                own[a] = Patch<S>::block_of(node[a]);
+                local = local * Patch<S>::block_edge + ((node[a] + 1) & (Patch<S>::block_edge - 1));
             }
-            keys[static_cast<std::size_t>(p)] = {
-                std::int64_t{patch.block_number(block)} * Patch<S>::block_nodes + local, p};
+            block[static_cast<std::size_t>(p)] = patch.block_number(own);
+            cell[static_cast<std::size_t>(p)] = static_cast<unsigned char>(local);
         }
     });
-    std::sort(keys.begin(), keys.end());
 
-    std::vector<Index> order(keys.size());
+    std::vector<int> present;
+    for (std::size_t p = 0; p < block.size(); ++p)
+        if (p == 0 || block[p] != block[p - 1]) present.push_back(block[p]);
+    std::sort(present.begin(), present.end());
+    present.erase(std::unique(present.begin(), present.end()), present.end());
+    const auto bin = [&](std::size_t p, std::size_t& rank) {
+        if (present[rank] != block[p])  // rarely: neighbours mostly share a block
+            rank = static_cast<std::size_t>(std::lower_bound(present.begin(), present.end(), block[p]) -
+                                            present.begin());
+        return rank * nodes + cell[p];
+    };
+
+    std::vector<std::uint32_t> next(present.size() * nodes + 1, 0);
+    for (std::size_t p = 0, rank = 0; p < block.size(); ++p) ++next[bin(p, rank) + 1];
+    std::partial_sum(next.begin(), next.end(), next.begin());
     ranges.clear();
-    for (std::size_t k = 0; k < keys.size(); ++k) {
-        order[k] = keys[k].second;
-        const int block = static_cast<int>(keys[k].first / Patch<S>::block_nodes);
-        if (ranges.empty() || ranges.back().block != block)
-            ranges.push_back({block, static_cast<Index>(k), 0});
-        ranges.back().end = static_cast<Index>(k) + 1;
-    }
+    for (std::size_t r = 0; r < present.size(); ++r)
+        ranges.push_back({present[r], next[r * nodes], next[(r + 1) * nodes]});
+    std::vector<std::uint32_t> order(block.size());
+    for (std::size_t p = 0, rank = 0; p < block.size(); ++p)
+        order[next[bin(p, rank)]++] = static_cast<std::uint32_t>(p);
     particles.permute(order);
 }
 
@@ -134,9 +153,11 @@ void Ordering<S>::colour(const Patch<S>& patch, std::size_t body) {
 }
 
 template <class S>
-void Ordering<S>::restore(const Patch<S>& patch, std::size_t body, Ranges ranges) {
+void Ordering<S>::restore(const Patch<S>& patch, const std::vector<Particles<S>>& bodies, std::size_t body,
+                          Ranges ranges) {
     ranges_[body] = std::move(ranges);
     colour(patch, body);
+    measure(bodies[body], body);
 }
 
 template <class S>

@@ -18,6 +18,12 @@ struct Stray {
     Index particle;
 };
 
+/// The box that the particles of a range lie in.
+template <class S>
+struct Bounds {
+    typename S::Vector low, high;
+};
+
 /// Keeps every body's particles in the order of the blocks that their stencils begin in.
 ///
 /// Between sorts a particle may stray by one cell from the block it was sorted into: stencils (up
@@ -28,7 +34,7 @@ class Ordering {
   public:
     using Ranges = std::vector<BlockRange>;
 
-    explicit Ordering(std::size_t bodies) : ranges_(bodies), colours_(bodies) {}
+    explicit Ordering(std::size_t bodies) : ranges_(bodies), colours_(bodies), bounds_(bodies) {}
 
     /// Particles outside the grid's faces.
     std::vector<Stray> strays(const Patch<S>& patch, const std::vector<Particles<S>>& bodies) const;
@@ -41,9 +47,12 @@ class Ordering {
     /// Range numbers of a body by colour: stencils of ranges of one colour never overlap, and each
     /// node receives its sums in the order of colours, whatever the number of threads.
     const std::vector<std::vector<Index>>& colours(std::size_t body) const { return colours_[body]; }
+    /// Where the particles of each range of a body are. Whoever moves them keeps it up to date.
+    std::vector<Bounds<S>>& bounds(std::size_t body) { return bounds_[body]; }
 
     /// Continues with the ranges of a checkpoint.
-    void restore(const Patch<S>& patch, std::size_t body, Ranges ranges);
+    void restore(const Patch<S>& patch, const std::vector<Particles<S>>& bodies, std::size_t body,
+                 Ranges ranges);
     /// Sorts at the next update, whatever has moved.
     void forget(std::size_t body) {
         ranges_[body].clear();
@@ -51,13 +60,15 @@ class Ordering {
     }
 
   private:
-    bool strayed(const Patch<S>& patch, const Particles<S>& particles, const Ranges& ranges,
+    bool strayed(const Patch<S>& patch, const Particles<S>& particles, std::size_t body,
                  const ShapeFunction<S>& shape) const;
     void colour(const Patch<S>& patch, std::size_t body);
+    void measure(const Particles<S>& particles, std::size_t body);
     void sort(const Patch<S>& patch, Particles<S>& particles, Ranges& ranges, const ShapeFunction<S>& shape);
 
     std::vector<Ranges> ranges_;
     std::vector<std::vector<std::vector<Index>>> colours_;
+    std::vector<std::vector<Bounds<S>>> bounds_;
 };
 
 }  // namespace matpoint

@@ -1,20 +1,28 @@
 // The nodes-to-particles pass: a batch is gathered, moved, strained and stressed while it is in cache.
 #include <matpoint/parallel.hpp>
+#include <matpoint/particle_pack.hpp>
 
-#include "step/engine.hpp"
+#include "step/phase_timer.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
 namespace matpoint {
 
 template <class S>
 class Engine<S>::BatchUpdate final : public GatherSink<S> {
   public:
-    BatchUpdate(Particles<S>& particles, std::size_t body, const Material<S>& material, int first_state,
-                const Transfer<S>& transfer, typename Phases<S>::Update what, Real dt, Partial& sums)
-        : particles_(particles),
+    using Number = Pack<Real>;
+
+    BatchUpdate(const Patch<S>& patch, Particles<S>& particles, std::size_t body, const Material<S>& material,
+                int first_state, const Transfer<S>& transfer, typename Phases<S>::Update what, Real dt,
+                Partial& sums)
+        : low_(patch.min()),
+          high_(patch.node_position(patch.cells())),
+          particles_(particles),
           body_(body),
           material_(material),
           first_state_(first_state),
@@ -34,23 +42,33 @@ class Engine<S>::BatchUpdate final : public GatherSink<S> {
     }
 
     void add_motion(const ParticleBatch<S>& batch) {
-        const Real* mass = particles_.column(Field::mass);
-        for (Index p = batch.begin(); p < batch.end(); ++p) {
-            const typename S::Vector v = particles_.velocity(p);
-            const auto m = static_cast<double>(mass[p]);
-            const auto speed_squared = static_cast<double>(v.squaredNorm());
-            const double speed = std::sqrt(speed_squared);
-            sums_.kinetic += m * speed_squared / 2;
-            sums_.momentum_scale += m * speed;
-            for (int a = 0; a < S::dimension; ++a)
-                sums_.momentum[static_cast<std::size_t>(a)] += m * static_cast<double>(v[a]);
-            sums_.largest_speed = std::max(sums_.largest_speed, speed);
-            if (!std::isfinite(speed)) report(p, false, 0);
-        }
+        LaneSums kinetic, momentum_scale;
+        std::array<LaneSums, S::dimension> momentum;
+        Number fastest(0);
+        visit_packs(batch, [&](const auto& p) {
+            const Number mass = p.mass();
+            Number square(0);
+            for (int a = 0; a < S::dimension; ++a) {
+                const Number v = p.load(Field::velocity, a);
+                square += v * v;
+                momentum[static_cast<std::size_t>(a)].add(p, mass * v);
+            }
+            kinetic.add(p, Number(0.5) * mass * square);
+            momentum_scale.add(p, mass * sqrt(square));
+            fastest = max(square, fastest);
+        });
+        sums_.kinetic += kinetic.total();
+        sums_.momentum_scale += momentum_scale.total();
+        for (std::size_t a = 0; a < S::dimension; ++a) sums_.momentum[a] += momentum[a].total();
+        sums_.largest_speed = std::max(sums_.largest_speed, std::sqrt(static_cast<double>(largest(fastest))));
+        if (!std::isfinite(kinetic.total())) report(batch.begin(), false, 0);
     }
 
-    void add_wave_speed(const ParticleBatch<S>& batch) {
-        const auto speed = static_cast<double>(material_.wave_speed(batch));
+    /// Where the particles are that were moved.
+    const Bounds<S>& bounds() const { return bounds_; }
+
+    void add_wave_speed(const ParticleBatch<S>& batch, Real wave_speed) {
+        const auto speed = static_cast<double>(wave_speed);
         if (!std::isfinite(speed)) report(batch.begin(), false, 0);
         sums_.largest_wave_speed = std::max(sums_.largest_wave_speed, speed);
     }
@@ -58,84 +76,89 @@ class Engine<S>::BatchUpdate final : public GatherSink<S> {
   private:
     void move(const ParticleBatch<S>& batch) {
         for (int a = 0; a < S::dimension; ++a) {
-            Real* x = particles_.column(Field::position, a) + batch.begin();
-            const Real* v = batch.gathered().velocity[static_cast<std::size_t>(a)].data();
-            for (Index k = 0; k < batch.end() - batch.begin(); ++k) x[k] += v[k] * dt_;
+            const Number low(low_[a]), high(high_[a]);
+            Number least(bounds_.low[a]), greatest(bounds_.high[a]);
+            auto inside = low <= high;
+            Real* const column = particles_.column(Field::position, a);
+            const auto& v = batch.gathered().velocity[static_cast<std::size_t>(a)];
+            visit_packs(batch, [&](const auto& p) {
+                Number x = p.load(column) + p.load(v) * Number(dt_);
+                p.store(column, x);
+                x = head(x, p.count(), Number(x[0]));
+                least = min(x, least);
+                greatest = max(x, greatest);
+                inside = inside && x >= low && x <= high;  // what is not a number is not
+            });
+            sums_.off_grid |= any(!inside);
+            bounds_.low[a] = -largest(-least);
+            bounds_.high[a] = largest(greatest);
         }
     }
 
-    /// Column of the stress's component (a, b).
-    static constexpr int stress_component(int a, int b) {
-        if (a == b) return a;
-        if constexpr (S::dimension == 2) return 3;
-        return a + b == 1 ? 3 : a + b == 3 ? 4 : 5;
-    }
-
-    /// Sum of V sigma : L (W) at the end of the step, where the same velocities have the gradient
-    /// L (I + L dt)^-1; L - dt L^2 leaves the work that is summed from it of second order in dt. Column by
-    /// column, as all particles of all scenes come by here.
-    double end_power(const ParticleBatch<S>& batch) const {
-        constexpr int d = S::dimension;
-        const auto count = static_cast<std::size_t>(batch.end() - batch.begin());
-        const auto& gradients = batch.gathered().velocity_gradient;
-        const auto gradient = [&](int a, int b) {
-            return gradients[static_cast<std::size_t>(a + d * b)].data();
-        };
-        std::array<Real, batch_size> density{};  // W/m^3
-        for (int a = 0; a < d; ++a)
-            for (int b = 0; b < d; ++b) {
-                const Real* stress = particles_.column(Field::stress, stress_component(a, b)) + batch.begin();
-                for (std::size_t k = 0; k < count; ++k) {
-                    Real end = gradient(a, b)[k];
-                    for (int c = 0; c < d; ++c) end -= dt_ * gradient(a, c)[k] * gradient(c, b)[k];
-                    density[k] += stress[k] * end;
-                }
-            }
-        if constexpr (S::axisymmetric) {
-            const Real* stress = particles_.column(Field::stress, 2) + batch.begin();
-            const Real* hoop = gradients[d * d].data();
-            for (std::size_t k = 0; k < count; ++k)
-                density[k] += stress[k] * (hoop[k] - dt_ * hoop[k] * hoop[k]);
+    /// Sums over the particles of a batch, in an order that does not depend on how many lanes there are.
+    class LaneSums {
+      public:
+        template <class Point>
+        MATPOINT_INLINE void add(const Point& p, Number a) {
+            using Sum = Pack<double, Number::lanes>;
+            double* const sums = sums_.data() + p.at() % static_cast<int>(sums_.size());
+            (Sum::load(sums) + p.mine(a).template as<double>()).store(sums);
         }
-        const Real* volume = particles_.column(Field::volume) + batch.begin();
-        double power = 0;
-        for (std::size_t k = 0; k < count; ++k) power += static_cast<double>(volume[k] * density[k]);
-        return power;
-    }
+        double total() const { return std::accumulate(sums_.begin(), sums_.end(), 0.0); }
 
-    /// F = (I + L dt) F, V = det(I + L dt) V, then the stress [Wallstedt & Guilkey 2008, eq. 11-13].
+      private:
+        std::array<double, 8> sums_{};
+    };
+    /// F = (I + L dt) F, V = det(I + L dt) V, then the stress [Wallstedt & Guilkey 2008, eq. 11-13]. Its work
+    /// is that of V sigma : L before and after, of second order in dt. At the end of the step the same
+    /// velocities have the gradient L (I + L dt)^-1, for which L - dt L^2 is enough.
     void strain(const ParticleBatch<S>& batch) {
-        Real* volume = particles_.column(Field::volume);
         const bool deforms = particles_.has(Field::deformation_gradient);
         const bool keeps_gradient = particles_.has(Field::velocity_gradient);
-        double power = 0;  // V sigma : L before and after: the work is second order in dt
-        for (Index p = batch.begin(); p < batch.end(); ++p) {
-            const Tensor<S> gradient = batch.velocity_gradient(p);
-            power += static_cast<double>(volume[p] * contract(batch.stress(p), gradient));
-            const Tensor<S> increment = Tensor<S>::identity() + dt_ * gradient;
-            const Real ratio = determinant(increment);
-            if (!(ratio > 0)) {
-                report(p, std::isfinite(ratio), static_cast<double>(ratio));
-                continue;
+        LaneSums power;  // W
+        visit_packs(batch, [&](const auto& p) {
+            const Tensor<S, Number> gradient = p.velocity_gradient();
+            const Number volume = p.volume();
+            power.add(p, volume * contract(p.stress(), gradient));
+            const Tensor<S, Number> increment = Tensor<S, Number>::identity() + dt_ * gradient;
+            const Number ratio = determinant(increment);
+            const auto sound = ratio > Number(0);
+            if (__builtin_expect(any(!sound), 0)) report_inverted(batch, p, ratio);
+            // One that turned inside out stays as it was.
+            p.store(Field::volume, 0, select(sound, volume * ratio, volume));
+            if (deforms) {
+                const Tensor<S, Number> before = p.deformation_gradient();
+                p.set_deformation_gradient(select(sound, increment * before, before));
             }
-            volume[p] *= ratio;
-            if (deforms)
-                ParticleBatch<S>::store_deformation(particles_, p, increment * batch.deformation_gradient(p));
             if (keeps_gradient)
                 for (int c = 0; c < S::dimension * S::dimension; ++c)
-                    particles_.column(Field::velocity_gradient, c)[p] = gradient.plane.data()[c];
-        }
-        material_.update_stress(batch, dt_);
-        power += end_power(batch);
-        sums_.strain_work += power * static_cast<double>(dt_) / 2;
-        if (!std::isfinite(power)) report(batch.begin(), false, 0);
-        add_wave_speed(batch);
+                    p.store(Field::velocity_gradient, c, gradient.plane.data()[c]);
+        });
+        add_wave_speed(batch, material_.update(batch, dt_));
+        visit_packs(batch, [&](const auto& p) {
+            const Tensor<S, Number> gradient = p.velocity_gradient();
+            power.add(p, p.volume() * contract(p.stress(), gradient - dt_ * (gradient * gradient)));
+        });
+        sums_.strain_work += power.total() * static_cast<double>(dt_) / 2;
+        if (!std::isfinite(power.total())) report(batch.begin(), false, 0);
+    }
+
+    template <class Point>
+    void report_inverted(const ParticleBatch<S>& batch, const Point& p, const Number& ratio) {
+        for (int i = 0; i < p.count(); ++i)
+            if (!(ratio[i] > 0)) {
+                const auto value = static_cast<double>(ratio[i]);
+                return report(batch.begin() + p.at() + i, std::isfinite(value), value);
+            }
     }
 
     void report(Index p, bool finite, double ratio) {
         if (!sums_.fault) sums_.fault = Fault{body_, p, finite, ratio};
     }
 
+    typename S::Vector low_, high_;  ///< faces of the grid
+    Bounds<S> bounds_{S::Vector::Constant(std::numeric_limits<Real>::infinity()),
+                      S::Vector::Constant(-std::numeric_limits<Real>::infinity())};
     Particles<S>& particles_;
     std::size_t body_;
     const Material<S>& material_;
@@ -148,6 +171,7 @@ class Engine<S>::BatchUpdate final : public GatherSink<S> {
 
 template <class S>
 void Engine<S>::update(typename Phases<S>::Update what, Real dt) {
+    const Timer timer(*this, StepPhase::gather);
     const Transfer<S>& transfer = *components_.transfer;
     Gather request;
     if (what.position) request.velocity = what.position;
@@ -165,12 +189,13 @@ void Engine<S>::update(typename Phases<S>::Update what, Real dt) {
         partials_.resize(first + ranges.size());
         parallel_for(static_cast<Index>(ranges.size()), bodies_[b].size(), [&](Index r) {
             const BlockRange& range = ranges[static_cast<std::size_t>(r)];
-            BatchUpdate sink(bodies_[b], b, *components_.materials[b], first_states_[b], transfer, what, dt,
-                             partials_[first + static_cast<std::size_t>(r)]);
+            BatchUpdate sink(patch_, bodies_[b], b, *components_.materials[b], first_states_[b], transfer,
+                             what, dt, partials_[first + static_cast<std::size_t>(r)]);
             components_.shape->gather(patch_, bodies_[b], range.begin, range.end, request, sink);
+            if (what.position) ordering_.bounds(b)[static_cast<std::size_t>(r)] = sink.bounds();
         });
     }
-    collect(what.velocity, what.stress.has_value());
+    collect(what);
 }
 
 template <class S>
@@ -178,26 +203,29 @@ void Engine<S>::measure() {
     static const Gathered<S> nothing{};
     partials_.assign(bodies_.size(), {});
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
-        BatchUpdate sums(bodies_[b], b, *components_.materials[b], first_states_[b], *components_.transfer,
-                         {}, Real(0), partials_[b]);
+        BatchUpdate sums(patch_, bodies_[b], b, *components_.materials[b], first_states_[b],
+                         *components_.transfer, {}, Real(0), partials_[b]);
         for (Index begin = 0; begin < bodies_[b].size(); begin += batch_size) {
             const ParticleBatch<S> batch(bodies_[b], begin, std::min(bodies_[b].size(), begin + batch_size),
                                          nothing, first_states_[b]);
             sums.add_motion(batch);
-            sums.add_wave_speed(batch);
+            sums.add_wave_speed(batch, components_.materials[b]->wave_speed(batch));
         }
     }
-    collect(true, true);
+    collect({.velocity = true, .stress = NodeField::velocity});
 }
 
 template <class S>
-void Engine<S>::collect(bool velocity, bool stress) {
+void Engine<S>::collect(typename Phases<S>::Update what) {
+    const bool velocity = what.velocity, stress = what.stress.has_value();
+    if (what.position) off_grid_ = false;
     if (velocity) {
         tally_.kinetic = tally_.momentum_scale = tally_.largest_speed = 0;
         tally_.momentum = {};
     }
     if (stress) tally_.largest_wave_speed = 0;
     for (const Partial& part : partials_) {
+        off_grid_ |= part.off_grid;
         if (velocity) {
             tally_.kinetic += part.kinetic;
             tally_.momentum_scale += part.momentum_scale;

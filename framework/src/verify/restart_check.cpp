@@ -22,7 +22,8 @@ CheckResult evaluate(const Json&, const FinishedRun& run) {
     CheckpointData checkpoint = read_checkpoint(checkpoint_path(folder / "checkpoints", half));
     const Scene scene = scene_of(checkpoint, catalogue);
     const RunResult resumed =
-        run_scene(scene, catalogue, {.output = folder, .quiet = true, .resume = std::move(checkpoint)});
+        run_scene(scene, catalogue,
+                  {.output = folder, .quiet = true, .keep_state = true, .resume = std::move(checkpoint)});
 
     if (resumed.status != RunStatus::completed)
         throw std::runtime_error("the run that goes on: " + resumed.reason);

@@ -97,7 +97,8 @@ CaseResult run_case(const Case& test, const CaseOptions& options) {
         PluginCatalogue catalogue;
         Scene scene = load_scene(test.scene, test.assignments, catalogue);
         scene.resolved["checks"] = test.checks;  // the particles carry the fields that checks look at
-        const RunResult ran = run_scene(scene, catalogue, {.output = options.output, .quiet = true});
+        const RunResult ran =
+            run_scene(scene, catalogue, {.output = options.output, .quiet = true, .keep_state = true});
         judge.ended({.scene = scene,
                      .catalogue = catalogue,
                      .output = options.output,

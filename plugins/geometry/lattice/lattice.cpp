@@ -3,10 +3,25 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 
 using namespace matpoint;
+
+namespace {
+
+/// The k-th number of a sequence that has no order, uniform in [-1, 1): a mix of k's bits
+/// [Steele, Lea & Flood 2014, SplitMix64].
+double scattered(std::uint64_t k) {
+    k = (k + 1) * 0x9e3779b97f4a7c15U;
+    k = (k ^ (k >> 30U)) * 0xbf58476d1ce4e5b9U;
+    k = (k ^ (k >> 27U)) * 0x94d049bb133111ebU;
+    k ^= k >> 31U;
+    return std::ldexp(static_cast<double>(k >> 11U), -52) - 1;
+}
+
+}  // namespace
 
 /// A box of equally spaced particles; see README.md.
 class Lattice final : public Geometry {
@@ -18,6 +33,12 @@ class Lattice final : public Geometry {
             .vector("max", {.unit = "m", .doc = "Corner with the largest coordinates"})
             .add("counts", ParameterType::per_axis,
                  {.doc = "Particles along an axis, for all axes or one per axis", .at_least = 1})
+            .number("jitter",
+                    {.doc = "Largest shift of a particle from its place along each axis, in parts of "
+                            "their distance; the same in every run",
+                     .default_value = 0,
+                     .at_least = 0,
+                     .at_most = 0.5})
             .refuse("/max", "every coordinate of \"max\" must be greater than that of \"min\"",
                     [](const Json& own, const Json&) {
                         for (std::size_t a = 0; a < own.at("min").size(); ++a)
@@ -50,6 +71,7 @@ class Lattice final : public Geometry {
             spacing[a] = (bounds_.max[a] - bounds_.min[a]) / static_cast<double>(counts[i]);
             area *= spacing[a];
         }
+        const double jitter = parameters.number("jitter");
         const bool axisymmetric = parameters.context().space.mode == Mode::axisymmetric;
         cloud_.points.reserve(static_cast<std::size_t>(counts[0] * counts[1] * counts[2]));
         for (long k = 0; k < counts[2]; ++k)
@@ -57,10 +79,14 @@ class Lattice final : public Geometry {
                 for (long i = 0; i < counts[0]; ++i) {
                     const Eigen::Vector3d place(static_cast<double>(i), static_cast<double>(j),
                                                 static_cast<double>(k));
-                    const Eigen::Vector3d position =
+                    Eigen::Vector3d position =
                         bounds_.min + spacing.cwiseProduct(place + Eigen::Vector3d::Constant(0.5));
                     // With r at its middle, the volume of a rectangle's ring is exact.
                     const double width = axisymmetric ? 2 * std::numbers::pi * position[0] : 1;
+                    if (jitter > 0)
+                        for (int a = 0; a < dimension_; ++a)
+                            position[a] += jitter * spacing[a] *
+                                           scattered(3 * cloud_.points.size() + static_cast<std::size_t>(a));
                     cloud_.points.push_back({position, area * width, Eigen::Vector3d::Zero(), spacing / 2});
                 }
     }

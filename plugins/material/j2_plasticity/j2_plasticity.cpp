@@ -1,20 +1,18 @@
 #include <matpoint/elasticity.hpp>
-#include <matpoint/material.hpp>
 #include <matpoint/plugin.hpp>
-
-#include <cmath>
+#include <matpoint/pointwise_material.hpp>
 
 namespace matpoint {
 
 /// Von Mises plasticity with linear isotropic hardening and radial return on a hypoelastic trial.
 template <class S>
-class J2Plasticity final : public Material<S> {
+class J2Plasticity final : public PointwiseMaterial<S, J2Plasticity<S>> {
   public:
     using typename Material<S>::Real;
     using typename Material<S>::Batch;
 
     explicit J2Plasticity(const Parameters& parameters)
-        : Material<S>(parameters),
+        : PointwiseMaterial<S, J2Plasticity<S>>(parameters),
           lame_(parameters.number("youngs_modulus"), parameters.number("poissons_ratio")),
           yield_stress_(static_cast<Real>(parameters.number("yield_stress"))),
           hardening_(hardening(parameters.number("youngs_modulus"), parameters.number("tangent_modulus"))) {}
@@ -39,32 +37,35 @@ class J2Plasticity final : public Material<S> {
 
     std::vector<StateVariable> state() const override { return {{"plastic_strain", 0, ""}}; }
 
-    void update_stress(const Batch& batch, Real dt) const override {
-        for (Index p = batch.begin(); p < batch.end(); ++p) {
-            const auto trial = hypoelastic_stress(lame_, batch.stress(p), batch.velocity_gradient(p), dt);
-            batch.set_stress(p, returned(trial, batch.state(0, p)));
-        }
+    /// The trial stress brought back to q = Y + H eps_p along its deviator; raises plastic_strain. In a
+    /// bar q is |sigma|, and the uniaxial modulus 2 mu = E takes the place of 3 mu.
+    template <class Point>
+    auto update(const Point& p, Real dt) const {
+        using T = typename Point::Number;
+        constexpr bool bar = S::dimension == 1;
+        const Tensor<S, T> trial = hypoelastic_stress(lame_, p.stress(), p.velocity_gradient(), dt);
+        const Tensor<S, T> pressure = (bar ? T(0) : trace(trial) / T(3)) * Tensor<S, T>::identity();
+        const Tensor<S, T> deviator = trial - pressure;
+        const T q = sqrt(T(bar ? 1 : 1.5) * contract(deviator, deviator));
+        const T before = p.state(0);
+        const T excess = q - (yield_stress_ + hardening_ * before);
+        const auto yields = excess > T(0);  // what is not a number does not; the run's guard reports it
+        const T after =
+            select(yields, before + excess / T(Real(bar ? 2 : 3) * lame_.mu + hardening_), before);
+        p.set_state(0, after);
+        const T share = (yield_stress_ + hardening_ * after) / q;
+        p.set_stress(select(yields, pressure + share * deviator, trial));
+        return squared_wave_speed(p);
     }
-
-    Real wave_speed(const Batch& batch) const override { return elastic_wave_speed(lame_, batch); }
+    template <class Point>
+    auto squared_wave_speed(const Point& p) const {
+        return squared_elastic_wave_speed(lame_, p.density());
+    }
 
   private:
     /// H = E E_t / (E - E_t), the slope of the yield stress over plastic strain.
     static Real hardening(double modulus, double tangent) {
         return static_cast<Real>(modulus * tangent / (modulus - tangent));
-    }
-
-    /// The trial stress brought back to q = Y + H eps_p along its deviator; raises plastic_strain. In a
-    /// bar q is |sigma|, and the uniaxial modulus 2 mu = E takes the place of 3 mu.
-    Tensor<S> returned(const Tensor<S>& trial, Real& plastic_strain) const {
-        constexpr bool bar = S::dimension == 1;
-        const Tensor<S> pressure = (bar ? Real(0) : trace(trial) / 3) * Tensor<S>::identity();
-        const Tensor<S> deviator = trial - pressure;
-        const Real q = std::sqrt(Real(bar ? 1 : 1.5) * contract(deviator, deviator));
-        const Real excess = q - (yield_stress_ + hardening_ * plastic_strain);
-        if (!(excess > 0)) return trial;  // so is what is not a number, which the run's guard reports
-        plastic_strain += excess / (Real(bar ? 2 : 3) * lame_.mu + hardening_);
-        return pressure + ((yield_stress_ + hardening_ * plastic_strain) / q) * deviator;
     }
 
     Lame<S> lame_;

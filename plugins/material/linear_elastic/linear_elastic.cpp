@@ -1,21 +1,19 @@
 #include <matpoint/elasticity.hpp>
-#include <matpoint/material.hpp>
 #include <matpoint/plugin.hpp>
-
-#include <cmath>
+#include <matpoint/pointwise_material.hpp>
 
 namespace matpoint {
 
 /// Hypoelastic: the stress follows the strain rate, and turns with the material (Jaumann rate). Or the law of
 /// the linear theory: the stress follows the displacement gradient.
 template <class S>
-class LinearElastic final : public Material<S> {
+class LinearElastic final : public PointwiseMaterial<S, LinearElastic<S>> {
   public:
     using typename Material<S>::Real;
     using typename Material<S>::Batch;
 
     explicit LinearElastic(const Parameters& parameters)
-        : Material<S>(parameters),
+        : PointwiseMaterial<S, LinearElastic<S>>(parameters),
           lame_(parameters.number("youngs_modulus"), parameters.number("poissons_ratio")),
           small_strain_(parameters.text("strain") == "small") {}
 
@@ -33,40 +31,33 @@ class LinearElastic final : public Material<S> {
 
     bool uses_deformation_gradient() const override { return small_strain_; }
 
-    void update_stress(const Batch& batch, Real dt) const override {
-        if (small_strain_) {
-            for (Index p = batch.begin(); p < batch.end(); ++p)
-                batch.set_stress(p, stress(small_strain(batch, p)));
-        } else {
-            for (Index p = batch.begin(); p < batch.end(); ++p)
-                batch.set_stress(p,
-                                 hypoelastic_stress(lame_, batch.stress(p), batch.velocity_gradient(p), dt));
-        }
+    template <class Point>
+    auto update(const Point& p, Real dt) const {
+        p.set_stress(small_strain_ ? stress(small_strain(p.deformation_gradient()))
+                                   : hypoelastic_stress(lame_, p.stress(), p.velocity_gradient(), dt));
+        return squared_wave_speed(p);
     }
-
-    Real wave_speed(const Batch& batch) const override {
-        if (!small_strain_) return elastic_wave_speed(lame_, batch);
-        Real fastest = 0;
-        for (Index p = batch.begin(); p < batch.end(); ++p) {
-            const Real stretch = std::sqrt(largest_squared_stretch(batch.deformation_gradient(p)));
-            const Real square = stretch * (lame_.lambda + 2 * lame_.mu) / batch.density(p);
-            if (square > fastest) fastest = square;  // false for what is not a number
-        }
-        return std::sqrt(fastest);
+    template <class Point>
+    auto squared_wave_speed(const Point& p) const {
+        auto square = squared_elastic_wave_speed(lame_, p.density());
+        if (small_strain_) square *= sqrt(largest_squared_stretch(p.deformation_gradient()));
+        return square;
     }
 
     std::optional<double> stored_energy(const Batch& batch, Index p) const override {
         if (!small_strain_) return {};
-        const Tensor<S> strain = small_strain(batch, p);
+        const Tensor<S> strain = small_strain(batch.deformation_gradient(p));
         return contract(stress(strain), strain) / 2;
     }
 
   private:
-    static Tensor<S> small_strain(const Batch& batch, Index p) {
-        return symmetric(batch.deformation_gradient(p)) - Tensor<S>::identity();
+    template <class T>
+    static Tensor<S, T> small_strain(const Tensor<S, T>& deformation_gradient) {
+        return symmetric(deformation_gradient) - Tensor<S, T>::identity();
     }
-    Tensor<S> stress(const Tensor<S>& strain) const {
-        return (lame_.lambda * trace(strain)) * Tensor<S>::identity() + (2 * lame_.mu) * strain;
+    template <class T>
+    Tensor<S, T> stress(const Tensor<S, T>& strain) const {
+        return (lame_.lambda * trace(strain)) * Tensor<S, T>::identity() + (2 * lame_.mu) * strain;
     }
 
     Lame<S> lame_;

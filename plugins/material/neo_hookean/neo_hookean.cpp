@@ -1,21 +1,20 @@
 #include <matpoint/elasticity.hpp>
-#include <matpoint/material.hpp>
 #include <matpoint/plugin.hpp>
+#include <matpoint/pointwise_material.hpp>
 
-#include <algorithm>
 #include <cmath>
 
 namespace matpoint {
 
 /// Compressible neo-Hookean solid of [Wallstedt & Guilkey 2008, eq. 54, 55].
 template <class S>
-class NeoHookean final : public Material<S> {
+class NeoHookean final : public PointwiseMaterial<S, NeoHookean<S>> {
   public:
     using typename Material<S>::Real;
     using typename Material<S>::Batch;
 
     explicit NeoHookean(const Parameters& parameters)
-        : Material<S>(parameters),
+        : PointwiseMaterial<S, NeoHookean<S>>(parameters),
           lame_(parameters.number("youngs_modulus"), parameters.number("poissons_ratio")) {}
 
     static Schema schema() {
@@ -27,19 +26,15 @@ class NeoHookean final : public Material<S> {
 
     bool uses_deformation_gradient() const override { return true; }
 
-    void update_stress(const Batch& batch, Real) const override {
-        for (Index p = batch.begin(); p < batch.end(); ++p)
-            batch.set_stress(p, stress(lame_, batch.deformation_gradient(p)));
+    template <class Point>
+    auto update(const Point& p, Real) const {
+        const State<typename Point::Number> state(p.deformation_gradient());
+        p.set_stress(stress(state));
+        return squared_wave_speed(state, p.density());
     }
-
-    Real wave_speed(const Batch& batch) const override {
-        Real fastest = 0;
-        for (Index p = batch.begin(); p < batch.end(); ++p) {
-            const Tensor<S> f = batch.deformation_gradient(p);
-            const Real square = stiffness(lame_, f) / (determinant(f) * batch.density(p));
-            if (square > fastest) fastest = square;  // false for what is not a number
-        }
-        return std::sqrt(fastest);
+    template <class Point>
+    auto squared_wave_speed(const Point& p) const {
+        return squared_wave_speed(State<typename Point::Number>(p.deformation_gradient()), p.density());
     }
 
     std::optional<double> stored_energy(const Batch& batch, Index p) const override {
@@ -51,17 +46,28 @@ class NeoHookean final : public Material<S> {
     }
 
   private:
+    template <class T>
+    struct State {
+        explicit State(const Tensor<S, T>& deformation_gradient)
+            : f(deformation_gradient), j(determinant(f)), log_j(log(j)) {}
+        Tensor<S, T> f;
+        T j, log_j;
+    };
+
     /// Cauchy stress [Wallstedt & Guilkey 2008, eq. 55]; eq. 28 in a bar.
-    static Tensor<S> stress(const Lame<S>& lame, const Tensor<S>& f) {
-        const auto one = Tensor<S>::identity();
-        const Real j = determinant(f);
-        return (lame.lambda * std::log(j) / j) * one + (lame.mu / j) * (f * transpose(f) - one);
+    template <class T>
+    Tensor<S, T> stress(const State<T>& state) const {
+        const auto one = Tensor<S, T>::identity();
+        return (lame_.lambda * state.log_j / state.j) * one +
+               (lame_.mu / state.j) * (state.f * transpose(state.f) - one);
     }
 
-    /// Upper bound of J times the eigenvalues of the acoustic tensor of any direction, Pa (README).
-    static Real stiffness(const Lame<S>& lame, const Tensor<S>& f) {
-        const Real volumetric = lame.lambda * (1 - std::log(determinant(f))) + lame.mu;
-        return std::max(Real(0), volumetric) + lame.mu * largest_squared_stretch(f);
+    /// From an upper bound of J times the eigenvalues of the acoustic tensor of any direction, Pa (README).
+    template <class T>
+    T squared_wave_speed(const State<T>& state, T density) const {
+        const T volumetric = lame_.lambda * (T(1) - state.log_j) + lame_.mu;
+        const T stiffness = max(T(0), volumetric) + lame_.mu * largest_squared_stretch(state.f);
+        return stiffness / (state.j * density);
     }
 
     Lame<S> lame_;

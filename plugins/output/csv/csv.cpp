@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <matpoint/background_writer.hpp>
 #include <matpoint/field_shape.hpp>
 #include <matpoint/output_file.hpp>
 #include <matpoint/plugin.hpp>
@@ -46,33 +47,50 @@ class Csv final : public Output {
     }
 
     void write(const RunView& run) override {
+        writer_.wait();
         if (times_.ends_at(run.time())) return;
-        const std::size_t index = times_.rows();
-        for (const std::string& body : observed_bodies(run, body_))
-            write_body(run, body, folder_ / fmt::format("{}_{}_{:06}.csv", name_, body, index));
-        times_.append(run.time(), {std::to_string(run.step()), std::to_string(index)});
+        std::vector<Table> tables;
+        for (const std::string& body : observed_bodies(run, body_)) tables.push_back(copy_of(run, body));
+        writer_.submit([this, taken = std::move(tables), time = run.time(), step = run.step()] {
+            const std::size_t index = times_.rows();
+            for (const Table& table : taken)
+                write_file(table, folder_ / fmt::format("{}_{}_{:06}.csv", name_, table.body, index));
+            times_.append(time, {std::to_string(step), std::to_string(index)});
+        });
     }
+    void flush() override { writer_.wait(); }
 
   private:
-    void write_body(const RunView& run, const std::string& body, const std::filesystem::path& path) const {
-        const int dimension = run.space().dimension();
-        std::vector<std::string> names = component_names(FieldShape::vector, dimension, run.space());
+    /// What the particles of a body carry at one time, copied out of the run.
+    struct Table {
+        std::string body;
+        std::size_t rows;
+        std::vector<std::string> names;
         std::vector<std::vector<double>> columns;
-        for (int a = 0; a < dimension; ++a) columns.push_back(run.column(body, "position", a));
+    };
+
+    Table copy_of(const RunView& run, const std::string& body) const {
+        const int dimension = run.space().dimension();
+        Table table{
+            body, run.particle_count(body), component_names(FieldShape::vector, dimension, run.space()), {}};
+        for (int a = 0; a < dimension; ++a) table.columns.push_back(run.column(body, "position", a));
         for (const std::string& field : fields_) {
             if (!has_field(run, body, field)) continue;
             const int components = run.components(body, field);
             for (std::string& name : column_names(field, components, run.space()))
-                names.push_back(std::move(name));
-            for (int c = 0; c < components; ++c) columns.push_back(run.column(body, field, c));
+                table.names.push_back(std::move(name));
+            for (int c = 0; c < components; ++c) table.columns.push_back(run.column(body, field, c));
         }
+        return table;
+    }
 
+    void write_file(const Table& table, const std::filesystem::path& path) const {
         OutputFile file(path);
-        file.write(fmt::format("{}\n", fmt::join(names, ",")));
+        file.write(fmt::format("{}\n", fmt::join(table.names, ",")));
         std::string row;
-        for (std::size_t p = 0; p < run.particle_count(body); ++p) {
+        for (std::size_t p = 0; p < table.rows; ++p) {
             row.clear();
-            for (const std::vector<double>& column : columns) {
+            for (const std::vector<double>& column : table.columns) {
                 if (!row.empty()) row += ',';
                 row += number_text(column[p], digits_);
             }
@@ -88,6 +106,7 @@ class Csv final : public Output {
     int digits_;
     std::filesystem::path folder_;
     TimeTable times_;
+    BackgroundWriter writer_;
 };
 
 }  // namespace matpoint

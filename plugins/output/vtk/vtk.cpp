@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <limits>
+#include <matpoint/background_writer.hpp>
 #include <matpoint/field_shape.hpp>
 #include <matpoint/output_file.hpp>
 #include <matpoint/plugin.hpp>
+#include <utility>
 
 #include "pvd_file.hpp"
 #include "vtp_file.hpp"
@@ -36,6 +38,59 @@ int vtk_place(FieldShape shape, int component, int dimension) {
     if (component == dimension * dimension) return 8;  // hoop, stored after the in-plane components by column
     return component % dimension * 3 + component / dimension;
 }
+
+/// A field of some bodies at one time, copied out of the run.
+struct FieldCopy {
+    struct Part {
+        std::size_t particles;
+        std::vector<int> places;  ///< of the columns in a VTK file; none if the body does not carry the field
+        std::vector<std::vector<double>> columns;
+    };
+    std::string name;
+    int width = 1;  ///< components in a VTK file
+    std::vector<Part> bodies;
+};
+
+FieldCopy copy_of(const RunView& run, const std::vector<std::string>& bodies, const std::string& field) {
+    FieldCopy copy{field, 1, {}};
+    for (const std::string& body : bodies) {
+        FieldCopy::Part& part = copy.bodies.emplace_back();
+        part.particles = run.particle_count(body);
+        if (!has_field(run, body, field)) continue;
+        const int components = run.components(body, field);
+        const FieldShape shape = field_shape(field, components, run.space());
+        copy.width = std::max(copy.width, vtk_components(shape, components));
+        for (int c = 0; c < components; ++c) {
+            part.places.push_back(vtk_place(shape, c, run.space().dimension()));
+            part.columns.push_back(run.column(body, field, c));
+        }
+    }
+    return copy;
+}
+
+/// Its values for the particles of all bodies, one particle after the other.
+std::vector<double> interleaved(const FieldCopy& field) {
+    const auto stride = static_cast<std::size_t>(field.width);
+    std::vector<double> all;
+    for (const FieldCopy::Part& part : field.bodies) {
+        const std::size_t first = all.size();
+        all.resize(first + part.particles * stride,
+                   part.columns.empty() ? std::numeric_limits<double>::quiet_NaN() : 0.0);
+        for (std::size_t c = 0; c < part.columns.size(); ++c) {
+            double* value = all.data() + first + part.places[c];
+            for (std::size_t p = 0; p < part.particles; ++p) value[p * stride] = part.columns[c][p];
+        }
+    }
+    return all;
+}
+
+/// All that goes into a .vtp file.
+struct Snapshot {
+    double time;  // s
+    FieldCopy position;
+    std::vector<std::int32_t> body_numbers;
+    std::vector<FieldCopy> fields;
+};
 
 }  // namespace
 
@@ -79,16 +134,14 @@ class Vtk final : public Output {
     }
 
     void write(const RunView& run) override {
+        writer_.wait();
         if (series_.ends_at(run.time())) return;
         const std::vector<std::string> bodies = observed_bodies(run, body_);
-        VtpFile file(values(run, bodies, "position"), run.time(), single_);
-        file.add_point_data("body", body_numbers(run, bodies));
-        for (const std::string& field : fields_)
-            file.add_point_data(field, width(run, bodies, field), values(run, bodies, field));
-        const std::string file_name = fmt::format("{}_{:06}.vtp", name_, series_.size());
-        file.write(folder_ / file_name);
-        series_.add(run.time(), file_name);
+        Snapshot snapshot{run.time(), copy_of(run, bodies, "position"), body_numbers(run, bodies), {}};
+        for (const std::string& field : fields_) snapshot.fields.push_back(copy_of(run, bodies, field));
+        writer_.submit([this, taken = std::move(snapshot)]() mutable { write_file(taken); });
     }
+    void flush() override { writer_.wait(); }
 
   private:
     /// Number of the body in the scene, from 0, for each particle.
@@ -103,35 +156,17 @@ class Vtk final : public Output {
         return numbers;
     }
 
-    static int width(const RunView& run, const std::vector<std::string>& bodies, const std::string& field) {
-        for (const std::string& body : bodies) {
-            if (!has_field(run, body, field)) continue;
-            const int components = run.components(body, field);
-            return vtk_components(field_shape(field, components, run.space()), components);
+    /// In the background; what has gone into the file is freed on the way.
+    void write_file(Snapshot& snapshot) {
+        VtpFile file(interleaved(std::exchange(snapshot.position, {})), snapshot.time, single_);
+        file.add_point_data("body", snapshot.body_numbers);
+        for (FieldCopy& next : snapshot.fields) {
+            const FieldCopy field = std::exchange(next, {});
+            file.add_point_data(field.name, field.width, interleaved(field));
         }
-        return 1;
-    }
-
-    /// Values of a field for the particles of all bodies, one particle after the other.
-    static std::vector<double> values(const RunView& run, const std::vector<std::string>& bodies,
-                                      const std::string& field) {
-        const auto stride = static_cast<std::size_t>(width(run, bodies, field));
-        std::vector<double> all;
-        for (const std::string& body : bodies) {
-            const std::size_t first = all.size();
-            const bool carried = has_field(run, body, field);
-            all.resize(first + run.particle_count(body) * stride,
-                       carried ? 0.0 : std::numeric_limits<double>::quiet_NaN());
-            if (!carried) continue;
-            const int components = run.components(body, field);
-            const FieldShape shape = field_shape(field, components, run.space());
-            for (int c = 0; c < components; ++c) {
-                const std::vector<double> column = run.column(body, field, c);
-                double* value = all.data() + first + vtk_place(shape, c, run.space().dimension());
-                for (std::size_t p = 0; p < column.size(); ++p) value[p * stride] = column[p];
-            }
-        }
-        return all;
+        const std::string file_name = fmt::format("{}_{:06}.vtp", name_, series_.size());
+        file.write(folder_ / file_name);
+        series_.add(snapshot.time, file_name);
     }
 
     std::string name_;
@@ -140,6 +175,7 @@ class Vtk final : public Output {
     bool single_;
     std::filesystem::path folder_;
     PvdFile series_;
+    BackgroundWriter writer_;
 };
 
 }  // namespace matpoint

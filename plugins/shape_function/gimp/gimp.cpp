@@ -1,8 +1,11 @@
 #include <matpoint/delegating_shape.hpp>
+#include <matpoint/parallel.hpp>
 #include <matpoint/plugin.hpp>
 #include <matpoint/tensor_product_shape.hpp>
 
+#include <atomic>
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace matpoint {
@@ -74,42 +77,45 @@ class Gimp final : public DelegatingShape<S> {
     }
 
     void start_step(const Patch<S>& patch, Particles<S>& particles) override {
-        // Rounding must not make a domain of exactly one cell reach a fourth node.
-        constexpr Real limit = Real(0.5) * (1 + 16 * std::numeric_limits<Real>::epsilon());
-        bool wide = false;
-        for (int a = 0; a < S::dimension; ++a) {
-            if (domain_ == "contiguous") follow_diagonal(particles, a);
-            if (domain_ == "stretched") follow_stretch(particles, a);
-            const Real* l = particles.column(Field::half_size, a);
-            Real largest = 0;
-            for (Index p = 0; p < particles.size(); ++p) largest = std::max(largest, l[p]);
-            wide = wide || largest * patch.inverse_cell_size()[a] > limit;
-        }
+        constexpr Index chunk = 4096;
+        std::atomic<bool> wide = false;
+        parallel_for((particles.size() + chunk - 1) / chunk, particles.size(), [&](Index k) {
+            const Index begin = k * chunk, count = std::min(chunk, particles.size() - begin);
+            for (int a = 0; a < S::dimension; ++a) {
+                if (domain_ == "contiguous") follow_diagonal(particles, a, begin, count);
+                if (domain_ == "stretched") follow_stretch(particles, a, begin, count);
+                // Rounding must not make a domain of exactly one cell reach a fourth node.
+                constexpr Real limit = Real(0.5) * (1 + 16 * std::numeric_limits<Real>::epsilon());
+                const Real largest = column(particles, Field::half_size, a, begin, count).maxCoeff();
+                if (largest * patch.inverse_cell_size()[a] > limit) wide = true;
+            }
+        });
         std::erase(wide_, &particles);
         if (wide) wide_.push_back(&particles);
     }
 
   private:
+    using Numbers = Eigen::Array<Real, Eigen::Dynamic, 1>;
+
+    static Eigen::Map<Numbers> column(Particles<S>& particles, Field field, int c, Index begin, Index count) {
+        return {particles.column(field, c) + begin, count};
+    }
     /// l^n = l^0 diag(F^n) [Wallstedt & Guilkey 2008, eq. 7, 63]. It vanishes where F turns by 90
     /// degrees: not below 5 % of l^0.
-    static void follow_diagonal(Particles<S>& particles, int a) {
-        const Real* f = particles.column(Field::deformation_gradient, a * (S::dimension + 1));
-        const Real* initial = particles.column(Field::initial_half_size, a);
-        Real* l = particles.column(Field::half_size, a);
-        for (Index p = 0; p < particles.size(); ++p) l[p] = initial[p] * std::max(std::abs(f[p]), Real(0.05));
+    static void follow_diagonal(Particles<S>& particles, int a, Index begin, Index count) {
+        const auto of = [&](Field field, int c) { return column(particles, field, c, begin, count); };
+        of(Field::half_size, a) =
+            of(Field::initial_half_size, a) *
+            of(Field::deformation_gradient, a * (S::dimension + 1)).abs().max(Real(0.05));
     }
     /// l_a^2 = sum_b (F_ab l^0_b)^2: the box with the second moments of the deformed domain. That is
     /// eq. 63 where the stretch is along the axes, and is the same whichever way a square domain turns.
-    static void follow_stretch(Particles<S>& particles, int a) {
-        using Column = Eigen::Array<Real, Eigen::Dynamic, 1>;
-        const auto column = [&](Field field, int c) {
-            return Eigen::Map<const Column>(particles.column(field, c), particles.size());
-        };
-        Eigen::Map<Column> l(particles.column(Field::half_size, a), particles.size());
+    static void follow_stretch(Particles<S>& particles, int a, Index begin, Index count) {
+        const auto of = [&](Field field, int c) { return column(particles, field, c, begin, count); };
+        Eigen::Map<Numbers> l = of(Field::half_size, a);
         l.setZero();
         for (int b = 0; b < S::dimension; ++b)
-            l += (column(Field::deformation_gradient, a + b * S::dimension) *
-                  column(Field::initial_half_size, b))
+            l += (of(Field::deformation_gradient, a + b * S::dimension) * of(Field::initial_half_size, b))
                      .square();
         l = l.sqrt();
     }

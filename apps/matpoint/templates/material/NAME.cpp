@@ -1,4 +1,4 @@
-#include <matpoint/material.hpp>
+#include <matpoint/pointwise_material.hpp>
 #include <matpoint/plugin.hpp>
 
 #include <algorithm>
@@ -8,7 +8,7 @@ using namespace matpoint;
 
 /// Weakly compressible fluid without viscosity; see README.md for the equations.
 template <class Space>
-class {{Name}} final : public Material<Space> {
+class {{Name}} final : public PointwiseMaterial<Space, {{Name}}<Space>> {
   public:
     using Real = typename Space::Real;
     using Batch = ParticleBatch<Space>;
@@ -20,25 +20,23 @@ class {{Name}} final : public Material<Space> {
     }
 
     explicit {{Name}}(const Parameters& parameters)
-        : Material<Space>(parameters),
+        : PointwiseMaterial<Space, {{Name}}<Space>>(parameters),
           rho0_(Real(parameters.number("density"))),
           K_(Real(parameters.number("bulk_modulus"))),
           gamma_(Real(parameters.number("exponent"))) {}
 
-    void update_stress(const Batch& batch, Real) const override {
-        for (Index p = batch.begin(); p < batch.end(); ++p) {
-            const Real J = rho0_ / batch.density(p);
-            const Real pressure = K_ / gamma_ * (std::pow(J, -gamma_) - 1);  // Pa
-            batch.set_stress(p, -pressure * Tensor<Space>::identity());
-        }
+    template <class Point>
+    auto update(const Point& p, Real) const {
+        const auto J = rho0_ / p.density();
+        const auto pressure = K_ / gamma_ * (pow(J, -gamma_) - 1);  // Pa
+        p.set_stress(-pressure * Tensor<Space, typename Point::Number>::identity());
+        return squared_wave_speed(p);
     }
 
     /// c^2 = dp/drho = K/rho0 J^(1 - gamma)
-    Real wave_speed(const Batch& batch) const override {
-        Real largest = 0;
-        for (Index p = batch.begin(); p < batch.end(); ++p)
-            largest = std::max(largest, std::pow(rho0_ / batch.density(p), 1 - gamma_));
-        return std::sqrt(K_ / rho0_ * largest);
+    template <class Point>
+    auto squared_wave_speed(const Point& p) const {
+        return K_ / rho0_ * pow(rho0_ / p.density(), 1 - gamma_);
     }
 
     /// W with dW/dJ = -p and W(1) = 0

@@ -1,0 +1,18 @@
+# Builds for ARM64 on another machine with Debian's g++-aarch64-linux-gnu. MATPOINT_SYSROOT is a folder with Debian's libraries
+# for ARM64 (apps/arm64_sysroot makes one); what is built is run by qemu-user.
+set(CMAKE_SYSTEM_NAME Linux)
+set(CMAKE_SYSTEM_PROCESSOR aarch64)
+set(CMAKE_CXX_COMPILER aarch64-linux-gnu-g++)
+set(CMAKE_C_COMPILER aarch64-linux-gnu-gcc)
+set(CMAKE_LIBRARY_ARCHITECTURE aarch64-linux-gnu)
+set(MATPOINT_SYSROOT ${CMAKE_CURRENT_LIST_DIR}/../../build/arm64_sysroot CACHE PATH "Debian's libraries for ARM64")
+cmake_path(ABSOLUTE_PATH MATPOINT_SYSROOT NORMALIZE)
+set(CMAKE_SYSROOT ${MATPOINT_SYSROOT})
+set(CMAKE_TRY_COMPILE_PLATFORM_VARIABLES MATPOINT_SYSROOT)
+set(CMAKE_CROSSCOMPILING_EMULATOR qemu-aarch64 -L ${MATPOINT_SYSROOT})
+set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
+set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
+set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
+set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
+set(ENV{PKG_CONFIG_SYSROOT_DIR} ${MATPOINT_SYSROOT})
+set(ENV{PKG_CONFIG_LIBDIR} ${MATPOINT_SYSROOT}/usr/lib/aarch64-linux-gnu/pkgconfig:${MATPOINT_SYSROOT}/usr/share/pkgconfig)
