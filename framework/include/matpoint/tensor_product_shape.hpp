@@ -445,7 +445,7 @@ class TensorProductShape : public ShapeFunction<S> {
         if (at + Lanes::lanes <= batch_size) {
             values.store(column.data() + at);  // what is too much, the next pack overwrites
         } else {
-            for (int i = 0; i < count; ++i) column[at + i] = values[i];
+            for (int i = 0; i < std::min(count, batch_size - at); ++i) column[at + i] = values[i];
         }
     }
 };
