@@ -23,9 +23,10 @@ namespace matpoint::conformance {
 struct QuadraticKernel {
     static constexpr int width = 3;
     static constexpr bool sized = false;
-    template <class Real>
-    static int base(Real xi) {
-        return static_cast<int>(std::floor(xi - Real(0.5)));
+    template <class T>
+    static T base(T xi) {
+        using std::floor;
+        return floor(xi - T(0.5));
     }
     template <class T>
     static void evaluate(T s, T, T* weights, T* derivatives) {

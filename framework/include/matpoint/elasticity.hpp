@@ -93,13 +93,12 @@ MATPOINT_INLINE T largest_squared_stretch(const Tensor<S, T>& f) {
     T mean = b.plane(0, 0);
     for (int a = 1; a < S::dimension; ++a) mean += b.plane(a, a);
     mean /= T(d);
-    T squares(0);  // of the deviator
-    for (int a = 0; a < S::dimension; ++a)
-        for (int c = 0; c < S::dimension; ++c) {
-            const T deviator = a == c ? b.plane(a, a) - mean : b.plane(a, c);
-            squares += deviator * deviator;
-        }
-    return mean + sqrt(T((d - 1) / d) * squares);
+    T diagonal(0), off_diagonal(0);  // squares of the deviator, which is symmetric
+    for (int a = 0; a < S::dimension; ++a) {
+        diagonal = multiply_add(b.plane(a, a) - mean, b.plane(a, a) - mean, diagonal);
+        for (int c = 0; c < a; ++c) off_diagonal = multiply_add(b.plane(a, c), b.plane(a, c), off_diagonal);
+    }
+    return mean + sqrt(T((d - 1) / d) * (diagonal + T(2) * off_diagonal));
 }
 
 /// (lambda + 2 mu) / rho, the square of the speed of pressure waves, m^2/s^2; E / rho in a bar.

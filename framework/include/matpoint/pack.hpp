@@ -1,5 +1,7 @@
 #pragma once
 
+#include <matpoint/vector_functions.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -7,12 +9,15 @@
 #include <type_traits>
 #include <utility>
 
-#if defined(__AVX__)
+#if defined(__x86_64__)
 #include <immintrin.h>
 #endif
 
 /// For small functions that every particle runs through: GCC leaves some of them out of line otherwise.
 #define MATPOINT_INLINE [[gnu::always_inline]] inline
+/// For a loop over particles: whatever it calls becomes part of it, however often and wherever that is
+/// called.
+#define MATPOINT_FLATTEN [[gnu::flatten]]
 
 namespace matpoint {
 
@@ -40,7 +45,7 @@ inline constexpr int native_lanes = std::min(8, register_bytes / static_cast<int
 
 /// Several numbers; arithmetic acts on all lanes. What is written for a type T with T(0.5), + - * /, <,
 /// select and the functions below works for a number and for a Pack, and gives the same bits for each lane as
-/// for the number.
+/// for the number; log, exp and pow may differ from it by a few units in the last place.
 template <class R, int N = native_lanes<R>>
 class Pack {
     using Integer = std::conditional_t<sizeof(R) == 8, std::int64_t, std::int32_t>;
@@ -49,6 +54,7 @@ class Pack {
     /// Lanes at any address of numbers, which they may alias as vectors do (a byte copy may alias all).
     typedef R Anywhere __attribute__((vector_size(N * sizeof(R)), aligned(sizeof(R))));
     static constexpr std::size_t bytes = N * sizeof(R);
+    using Functions = VectorFunctions<R, N>;
     template <class, int>
     friend class Pack;
 
@@ -83,14 +89,14 @@ class Pack {
     MATPOINT_INLINE static Pack load(const R* from) {
         return Pack(Lanes(*reinterpret_cast<const Anywhere*>(from)));
     }
-    MATPOINT_INLINE static Pack load(const int* from) {
-        typedef int Ints __attribute__((vector_size(N * sizeof(int))));
-        Ints a;
-        std::memcpy(&a, from, sizeof a);
-        return Pack(__builtin_convertvector(a, Lanes));
-    }
     MATPOINT_INLINE void store(R* to) const {
         *reinterpret_cast<Anywhere*>(to) = v_;
+    }
+    /// Without what comes after the point.
+    MATPOINT_INLINE void store(int* to) const {
+        typedef int Ints __attribute__((vector_size(N * sizeof(int))));
+        const Ints a = __builtin_convertvector(v_, Ints);
+        std::memcpy(to, &a, sizeof a);
     }
     /// The same numbers of another precision.
     template <class Other>
@@ -176,14 +182,35 @@ class Pack {
 #endif
         return a.each([](R x) { return std::sqrt(x); });
     }
+    MATPOINT_INLINE friend Pack floor(Pack a) {
+#if defined(__AVX__)
+        if constexpr (bytes == 32 && sizeof(R) == 8) return Pack(Lanes(_mm256_floor_pd(__m256d(a.v_))));
+        if constexpr (bytes == 32 && sizeof(R) == 4) return Pack(Lanes(_mm256_floor_ps(__m256(a.v_))));
+#endif
+#if defined(__SSE4_1__)
+        if constexpr (bytes == 16 && sizeof(R) == 8) return Pack(Lanes(_mm_floor_pd(__m128d(a.v_))));
+        if constexpr (bytes == 16 && sizeof(R) == 4) return Pack(Lanes(_mm_floor_ps(__m128(a.v_))));
+#endif
+        return a.each([](R x) { return std::floor(x); });
+    }
     MATPOINT_INLINE friend Pack log(Pack a) {
-        return a.each([](R x) { return std::log(x); });
+        if constexpr (Functions::exist)
+            return Pack(Lanes(Functions::log(typename Functions::Register(a.v_))));
+        else
+            return a.each([](R x) { return std::log(x); });
     }
     MATPOINT_INLINE friend Pack exp(Pack a) {
-        return a.each([](R x) { return std::exp(x); });
+        if constexpr (Functions::exist)
+            return Pack(Lanes(Functions::exp(typename Functions::Register(a.v_))));
+        else
+            return a.each([](R x) { return std::exp(x); });
     }
     MATPOINT_INLINE friend Pack pow(Pack a, R exponent) {
-        return a.each([=](R x) { return std::pow(x, exponent); });
+        if constexpr (Functions::exist)
+            return Pack(Lanes(Functions::pow(typename Functions::Register(a.v_),
+                                             typename Functions::Register(Pack(exponent).v_))));
+        else
+            return a.each([=](R x) { return std::pow(x, exponent); });
     }
     /// function(lane) of each lane, for what has no operation of its own.
     template <class Function>

@@ -40,9 +40,10 @@ class ParticlePack {
         std::copy_n(lanes.begin(), count_, to);
     }
     /// 0 in lanes beyond the batch.
-    MATPOINT_INLINE Number mine(Number a) const {
+    template <class T>
+    MATPOINT_INLINE Pack<T, Number::lanes> mine(Pack<T, Number::lanes> a) const {
         if constexpr (whole) return a;
-        return head(a, count_, Number(0));
+        return head(a, count_, Pack<T, Number::lanes>(0));
     }
     MATPOINT_INLINE Number load(Field field, int component = 0) const {
         return load(columns(field)[component]);
@@ -51,9 +52,7 @@ class ParticlePack {
         store(columns(field)[component], a);
     }
     /// Where the columns of a field begin.
-    MATPOINT_INLINE Real* const* columns(Field field) const {
-        return particles().columns(particles().slot(field));
-    }
+    MATPOINT_INLINE Real* const* columns(Field field) const { return particles().columns(field); }
 
     MATPOINT_INLINE Number mass() const { return load(Field::mass); }
     MATPOINT_INLINE Number volume() const { return load(Field::volume); }

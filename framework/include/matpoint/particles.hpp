@@ -69,11 +69,16 @@ class Particles {
     int field_count() const { return static_cast<int>(fields_.size()); }
 
     /// Where the columns of a field begin, by component.
-    Real* const* columns(int slot) const { return columns_.starts() + place(slot, 0); }
-    Real* column(int slot, int component) { return columns_[place(slot, component)]; }
-    const Real* column(int slot, int component) const { return columns_[place(slot, component)]; }
-    Real* column(Field field, int component = 0) { return column(slot(field), component); }
-    const Real* column(Field field, int component = 0) const { return column(slot(field), component); }
+    Real* const* columns(int slot) const {
+        return columns_.starts() + fields_[static_cast<std::size_t>(slot)].first;
+    }
+    Real* const* columns(Field field) const {
+        return columns_.starts() + first_columns_[static_cast<std::size_t>(field)];
+    }
+    Real* column(int slot, int component) { return columns(slot)[component]; }
+    const Real* column(int slot, int component) const { return columns(slot)[component]; }
+    Real* column(Field field, int component = 0) { return columns(field)[component]; }
+    const Real* column(Field field, int component = 0) const { return columns(field)[component]; }
     /// Numbers given at seeding; empty unless Field::id was asked for.
     std::vector<std::uint32_t>& ids() { return ids_; }
     const std::vector<std::uint32_t>& ids() const { return ids_; }
@@ -103,15 +108,11 @@ class Particles {
     int column_count() const {
         return fields_.empty() ? 0 : fields_.back().first + fields_.back().components;
     }
-    std::size_t place(int slot, int component) const {
-        return static_cast<std::size_t>(fields_[static_cast<std::size_t>(slot)].first) +
-               static_cast<std::size_t>(component);
-    }
 
     std::string body_;
     Index size_ = 0;
     std::vector<FieldInfo> fields_;
-    std::array<int, known_fields> slots_;
+    std::array<int, known_fields> slots_, first_columns_;
     Columns<Real> columns_{1};
     std::vector<std::uint32_t> ids_;
     bool has_ids_ = false;

@@ -4,7 +4,6 @@
 #include <matpoint/particle_pack.hpp>
 
 #include <cmath>
-#include <type_traits>
 
 namespace matpoint {
 
@@ -31,7 +30,7 @@ class PointwiseMaterial : public Material<S> {
     Real wave_speed(const Batch& batch) const final {
         return fastest(batch, [&](const auto& p) { return law().squared_wave_speed(p); });
     }
-    Real update(const Batch& batch, Real dt) const final {
+    MATPOINT_FLATTEN Real update(const Batch& batch, Real dt) const final {
         return fastest(batch, [&](const auto& p) { return law().update(p, dt); });
     }
 

@@ -23,7 +23,6 @@ struct StencilLoops {
 
     using Lanes = Pack<Real>;
     using LaneVector = std::array<Lanes, D>;
-    using LaneMatrix = std::array<LaneVector, D>;
     /// One number for each node along each axis.
     template <class T>
     using Axes = std::array<std::array<T, W>, D>;
@@ -55,6 +54,8 @@ struct StencilLoops {
         bool motion, affine, force;
 
         constexpr bool uses(int part) const { return parts == 1 || (half_of(part) == 0 ? motion : force); }
+        /// Of force, the hoop stress alone goes with S itself.
+        constexpr bool uses_value(int part) const { return half_of(part) == 0 || S::axisymmetric; }
         constexpr bool uses_flux(int part) const {
             return parts == 1 ? affine || force : half_of(part) == 0 ? affine : force;
         }
@@ -62,7 +63,7 @@ struct StencilLoops {
 
     /// A pack of particles ready to be sent. Slopes take the weights' place on axis a in what flux[a] is
     /// multiplied by: of momentum (0) the moments S (x_i - x_p), of force (1) the derivatives.
-    struct Senders {
+    struct alignas(64) Senders {  // what crosses a cache line is slow to read soon after it was written
         using Numbers = std::array<Real, Lanes::lanes>;  ///< one a particle
         std::array<Numbers, W> weight;                   ///< on the first axis
         std::array<Numbers, rows> product;               ///< of weights on the others
@@ -91,6 +92,10 @@ struct StencilLoops {
         }
     };
     using Columns = std::array<Lanes, record>;  ///< of records, a particle a lane
+    MATPOINT_INLINE static void clear(Columns& columns) {
+#pragma GCC unroll 8  // or it becomes a call of memset's kind, which takes longer
+        for (Lanes& column : columns) column = Lanes(0);
+    }
     template <Sent sent>
     static void transpose_records(Columns& value, std::array<Columns, D>& flux, Senders& to) {
         const auto transpose = [](int part, Columns& columns, auto& records) {
@@ -99,47 +104,74 @@ struct StencilLoops {
             for (int i = 0; i < Lanes::lanes; ++i) own[i].store(records[i].data() + part * Lanes::lanes);
         };
         for (int part = 0; part < parts; ++part) {
-            if (sent.uses(part)) transpose(part, value, to.value);
+            if (sent.uses(part) && sent.uses_value(part)) transpose(part, value, to.value);
             if (sent.uses_flux(part))
                 for (int a = 0; a < D; ++a) transpose(part, flux[a], to.flux[a]);
         }
     }
 
-    /// node += S value + sum_a (S with slopes on axis a) flux_a, of the i-th particle, for all nodes of its
-    /// stencil, which begins at `nodes`.
-    template <Sent sent>
+    /// node += S value + sum_a (S with slopes on axis a) flux_a, of the i-th particle and the next, `count`
+    /// in all with the same stencil, for all its nodes, which begin at `nodes`. A node is read and written
+    /// once for both.
+    template <Sent sent, int count>
     static void send(const Senders& from, int i, Real* nodes) {
 #pragma GCC unroll 4
         for (int part = 0; part < parts; ++part) {
             if (!sent.uses(part)) continue;
-            const auto load = [&](const auto& records) {
-                return Lanes::load(records[i].data() + part * Lanes::lanes);
+            const auto load = [&](const auto& records, int p) {
+                return Lanes::load(records[i + p].data() + part * Lanes::lanes);
             };
-            const Lanes value = load(from.value);
 #pragma GCC unroll 16
             for (int row = 0; row < rows; ++row) {
                 Real* const first = nodes + row_place(row) * record + part * Lanes::lanes;
-                const Lanes product(from.product[row][i]);
-                Lanes along = product * value, across;
-                if (sent.uses_flux(part)) {
+                std::array<Lanes, count> along, across;
+#pragma GCC unroll 2
+                for (int p = 0; p < count; ++p) {
+                    const Lanes product(from.product[row][i + p]);
+                    along[p] = sent.uses_value(part) ? product * load(from.value, p) : Lanes(0);
+                    if (!sent.uses_flux(part)) continue;
 #pragma GCC unroll 2
                     for (int a = 1; a < D; ++a)
-                        along = multiply_add(
-                            Senders::template of_part<sent>(part, from.slope_product[0][a][row][i],
-                                                            from.slope_product[1][a][row][i]),
-                            load(from.flux[a]), along);
-                    across = product * load(from.flux[0]);
+                        along[p] = multiply_add(
+                            Senders::template of_part<sent>(part, from.slope_product[0][a][row][i + p],
+                                                            from.slope_product[1][a][row][i + p]),
+                            load(from.flux[a], p), along[p]);
+                    across[p] = product * load(from.flux[0], p);
                 }
 #pragma GCC unroll 4
                 for (int x = 0; x < W; ++x) {
-                    Real* const node = first + x * record;
-                    Lanes sum = multiply_add(Lanes(from.weight[x][i]), along, Lanes::load(node));
-                    if (sent.uses_flux(part))
-                        sum = multiply_add(
-                            Senders::template of_part<sent>(part, from.slope[0][x][i], from.slope[1][x][i]),
-                            across, sum);
-                    sum.store(node);
+                    Lanes sum = Lanes::load(first + x * record);
+#pragma GCC unroll 2
+                    for (int p = 0; p < count; ++p) {
+                        sum = multiply_add(Lanes(from.weight[x][i + p]), along[p], sum);
+                        if (sent.uses_flux(part))
+                            sum = multiply_add(Senders::template of_part<sent>(part, from.slope[0][x][i + p],
+                                                                               from.slope[1][x][i + p]),
+                                               across[p], sum);
+                    }
+                    sum.store(first + x * record);
                 }
+            }
+        }
+    }
+
+    /// Sets the records of four nodes in a row to 0.
+    static void clear_records(Real* records) {
+#pragma GCC unroll 16
+        for (int i = 0; i < 4 * record; i += Lanes::lanes) Lanes(0).store(records + i);
+    }
+    /// Adds the records of four nodes in a row to the columns of their components, from `start` on; a column
+    /// that is null is not asked for.
+    static void add_records(const Real* records, const std::array<Real*, record>& columns, Index start) {
+        using Nodes = Pack<Real, 4>;
+        for (int half = 0; half < record; half += force_place) {
+            if (columns[half] == nullptr && columns[half + mass_place] == nullptr) continue;
+            std::array<Nodes, 4> own;
+            for (int i = 0; i < 4; ++i) own[i] = Nodes::load(records + i * record + half);
+            Nodes::transpose(own.data());
+            for (int c = 0; c < 4; ++c) {
+                Real* const column = columns[half + c];
+                if (column) (Nodes::load(column + start) + own[c]).store(column + start);
             }
         }
     }

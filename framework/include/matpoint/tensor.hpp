@@ -15,16 +15,25 @@ template <class T, int D>
 struct PackMatrix {
     std::array<T, D * D> numbers;
 
-    PackMatrix() { numbers.fill(T(0)); }
+    PackMatrix() {
+#pragma GCC unroll 9  // or it becomes a call of memset's kind, which takes longer
+        for (T& number : numbers) number = T(0);
+    }
     MATPOINT_INLINE T& operator()(int row, int column) {
         return numbers[static_cast<std::size_t>(row + D * column)];
     }
     MATPOINT_INLINE const T& operator()(int row, int column) const {
         return numbers[static_cast<std::size_t>(row + D * column)];
     }
-    T* data() { return numbers.data(); }
-    const T* data() const { return numbers.data(); }
-    static PackMatrix Zero() { return {}; }
+    T* data() {
+        return numbers.data();
+    }
+    const T* data() const {
+        return numbers.data();
+    }
+    static PackMatrix Zero() {
+        return {};
+    }
 };
 
 /// A second-order tensor of a space: the in-plane part and, in 2D, the component normal to the

@@ -12,16 +12,16 @@ namespace matpoint {
 ///     struct Kernel {
 ///         static constexpr int width = 2;           // nodes that a particle reaches along an axis
 ///         static constexpr bool sized = false;      // whether it reads Field::half_size
-///         template <class Real>                     // first of these nodes; xi = (x - min) / h
-///         static int base(Real xi);
-///         template <class T>                        // for numbers and for Packs; s = xi - base, l / h
+///         template <class T>                        // first of these nodes; xi = (x - min) / h
+///         static T base(T xi);
+///         template <class T>                        // s = xi - base, l / h
 ///         static void evaluate(T s, T half_size, T* weights, T* derivatives);  // per cell
 ///     };
 ///
-/// A particle within the grid must stay within one node of it: base >= -1 and
-/// base + width <= cells + 2. Weights are recomputed whenever they are needed, which is cheaper than
-/// to load them. The loops treat runs of particles with the same stencil, one particle a lane; nodes
-/// are read, summed over lanes and written once a run.
+/// T is a number, or a Pack of them. A particle within the grid must stay within one node of it: base >= -1
+/// and base + width <= cells + 2. Weights are recomputed whenever they are needed, which is cheaper than to
+/// load them. The loops treat runs of particles with the same stencil, one particle a lane; nodes are read,
+/// summed over lanes and written once a run.
 template <class S, class Kernel>
 class TensorProductShape : public ShapeFunction<S> {
   public:
@@ -37,19 +37,11 @@ class TensorProductShape : public ShapeFunction<S> {
 
     void base_nodes(const Patch<S>& patch, const Particles<S>& particles, Index begin, Index end,
                     Coordinates* out) const override {
-        Bases bases;
-        for (Index first = begin; first < end; first += batch_size) {
-            const int count = static_cast<int>(std::min<Index>(batch_size, end - first));
-            find_bases(patch, particles, first, count, bases);
-            for (int i = 0; i < count; ++i) *out++ = base_of(bases, i);
-        }
+        for (Index p = begin; p < end; ++p) *out++ = base_at(patch, particles.position(p));
     }
 
     Coordinates base_node(const Patch<S>& patch, const Particles<S>&, const Vector& position) const override {
-        Coordinates base;
-        for (int a = 0; a < D; ++a)
-            base[a] = clamped_base(patch, a, (position[a] - patch.min()[a]) * patch.inverse_cell_size()[a]);
-        return base;
+        return base_at(patch, position);
     }
 
     void scatter(Patch<S>& patch, const Particles<S>& particles, Index begin, Index end,
@@ -113,13 +105,11 @@ class TensorProductShape : public ShapeFunction<S> {
     static constexpr int D = Loops::D, W = Loops::W, N = Loops::N;
     using Lanes = typename Loops::Lanes;
     using LaneVector = typename Loops::LaneVector;
-    using LaneMatrix = typename Loops::LaneMatrix;
     using Sent = typename Loops::Sent;
     using Reader = typename Loops::Reader;
     template <class T>
     using Axes = typename Loops::template Axes<T>;
-    using Places = std::array<int, batch_size>;
-    using Bases = std::array<Places, D>;
+    static constexpr int row_length = Patch<S>::block_edge;
 
     /// Particles of a run that are treated at once.
     struct Slice {
@@ -135,36 +125,24 @@ class TensorProductShape : public ShapeFunction<S> {
         }
     };
 
+    /// Those of `count` particles from p on that fit; columns end at `end` at the earliest.
+    static Slice slice_of(Index p, int count, Index end) {
+        return {p, std::min(count, Lanes::lanes), p + Lanes::lanes <= end};
+    }
+
     /// The k-th node of a stencil, first axis fastest.
     static Coordinates node_of(Coordinates base, int k) {
         for (int a = 0; a < D; ++a, k /= W) base[a] += k % W;
         return base;
     }
     static int clamped_base(const Patch<S>& patch, int axis, Real xi) {
-        return std::min(std::max(Kernel::base(xi), -1), patch.cells()[axis] + 2 - W);
+        const auto last = static_cast<Real>(patch.cells()[axis] + 2 - W);
+        return static_cast<int>(std::min(std::max(Real(-1), Kernel::base(xi)), last));
     }
-    static void find_bases(const Patch<S>& patch, const Particles<S>& particles, Index begin, int count,
-                           Bases& bases) {
-        for (int a = 0; a < D; ++a) {
-            const Real* x = particles.column(Field::position, a) + begin;
-            const Real min = patch.min()[a], scale = patch.inverse_cell_size()[a];
-            const int last = patch.cells()[a] + 2 - W;
-            for (int i = 0; i < count; ++i)
-                bases[a][i] = std::min(std::max(Kernel::base((x[i] - min) * scale), -1), last);
-        }
-    }
-    /// Places in the tile of the first nodes of stencils.
-    static void find_places(const Tile<S>& tile, const Bases& bases, int count, Places& places) {
-        const Coordinates origin = tile.origin();
-        for (int i = 0; i < count; ++i) {
-            int place = 0;
-            for (int a = 0; a < D; ++a) place += (bases[a][i] - origin[a]) * Tile<S>::stride(a);
-            places[i] = place;
-        }
-    }
-    static Coordinates base_of(const Bases& bases, int i) {
+    static Coordinates base_at(const Patch<S>& patch, const Vector& position) {
         Coordinates base;
-        for (int a = 0; a < D; ++a) base[a] = bases[a][i];
+        for (int a = 0; a < D; ++a)
+            base[a] = clamped_base(patch, a, (position[a] - patch.min()[a]) * patch.inverse_cell_size()[a]);
         return base;
     }
 
@@ -173,52 +151,84 @@ class TensorProductShape : public ShapeFunction<S> {
     template <class Visit>
     static void visit_tiles(const Patch<S>& patch, const Particles<S>& particles, Index begin, Index end,
                             const Visit& visit) {
-        for (Index first = begin; first < end;) {
-            Bases bases;
-            find_bases(patch, particles, first, 1, bases);
-            Tile<S> tile(patch, base_of(bases, 0));
-            Index last = first;
-            for (int held = batch_size; last < end && held == batch_size; last += held) {
-                const int count = static_cast<int>(std::min<Index>(batch_size, end - last));
-                find_bases(patch, particles, last, count, bases);
-                held = include(tile, bases, count);
+        for (Index first = begin, last; first < end; first = last) {
+            Tile<S> tile(patch, base_at(patch, particles.position(first)), W);
+            for (Index batch = last = first; last == batch && last < end;) {
+                batch = std::min(end, last + batch_size);
+                last = include(tile, patch, particles, last, batch);
             }
             visit(tile, first, last);
-            first = last;
         }
     }
-    /// How many of the particles, from the first on, the tile holds.
-    static int include(Tile<S>& tile, const Bases& bases, int count) {
-        Coordinates low, high;
+    /// Takes as many of the particles as the tile holds, and returns the first that it does not.
+    static Index include(Tile<S>& tile, const Patch<S>& patch, const Particles<S>& particles, Index begin,
+                         Index end) {
+        Vector low, high;
         for (int a = 0; a < D; ++a) {
-            low[a] = high[a] = bases[a][0];
-            for (int i = 1; i < count; ++i) {
-                low[a] = std::min(low[a], bases[a][i]);
-                high[a] = std::max(high[a], bases[a][i]);
+            const Real* const x = particles.column(Field::position, a);
+            Lanes least(x[begin]), greatest = least;
+            Index p = begin;
+            for (; p + Lanes::lanes <= end; p += Lanes::lanes) {
+                least = min(Lanes::load(x + p), least);
+                greatest = max(Lanes::load(x + p), greatest);
             }
+            for (; p < end; ++p) {
+                least = min(Lanes(x[p]), least);
+                greatest = max(Lanes(x[p]), greatest);
+            }
+            low[a] = -largest(-least);
+            high[a] = largest(greatest);
         }
-        if (!tile.holds(low, W) || !tile.holds(high, W)) {
-            int held = 0;
-            for (; held < count && tile.holds(base_of(bases, held), W); ++held)
-                tile.include(base_of(bases, held), W);
-            return held;
+        const Coordinates lowest = base_at(patch, low), highest = base_at(patch, high);
+        if (tile.holds(lowest) && tile.holds(highest)) {
+            tile.include(lowest);
+            tile.include(highest);
+            return end;
         }
-        tile.include(low, W);
-        tile.include(high, W);
-        return count;
+        for (Index p = begin; p < end; ++p) {
+            const Coordinates base = base_at(patch, particles.position(p));
+            if (!tile.holds(base)) return p;
+            tile.include(base);
+        }
+        return end;
     }
 
-    /// Weights and derivatives (1/m) of the slice; s: position in cells from the stencil's first node.
+    /// Where particles are in a tile.
+    class Locator {
+      public:
+        Locator(const Patch<S>& patch, const Tile<S>& tile) {
+            for (int a = 0; a < D; ++a) {
+                min_[a] = Lanes(patch.min()[a]);
+                scale_[a] = Lanes(patch.inverse_cell_size()[a]);
+                origin_[a] = Lanes(tile.origin()[a]);
+                lowest_[a] = Lanes(tile.lowest()[a]);
+                highest_[a] = Lanes(tile.highest()[a]);
+            }
+        }
+        /// Places in the tile of the first nodes of stencils, and positions from there, in cells.
+        void locate(const Particles<S>& particles, const Slice& slice, int* places, LaneVector& s) const {
+            Lanes place(0);
+            for (int a = D - 1; a >= 0; --a) {
+                const Lanes xi = (slice.load(particles.column(Field::position, a)) - min_[a]) * scale_[a];
+                const Lanes base = min(max(Kernel::base(xi), lowest_[a]), highest_[a]);
+                s[a] = xi - base;
+                place = multiply_add(place, Lanes(Tile<S>::edge), base - origin_[a]);
+            }
+            place.store(places);
+        }
+
+      private:
+        LaneVector min_, scale_, origin_, lowest_, highest_;
+    };
+
+    /// Weights and derivatives (1/m) of the slice.
     static void weigh(const Patch<S>& patch, const Particles<S>& particles, const Slice& slice,
-                      const LaneVector& base, Axes<Lanes>& weights, Axes<Lanes>& derivatives, LaneVector& s) {
+                      const LaneVector& s, Axes<Lanes>& weights, Axes<Lanes>& derivatives) {
         for (int a = 0; a < D; ++a) {
             const Lanes scale(patch.inverse_cell_size()[a]);
-            const Lanes xi =
-                (slice.load(particles.column(Field::position, a)) - Lanes(patch.min()[a])) * scale;
             Lanes half_size(0);
             if constexpr (Kernel::sized)
                 half_size = slice.load(particles.column(Field::half_size, a)) * scale;
-            s[a] = xi - base[a];
             Kernel::evaluate(s[a], half_size, weights[a].data(), derivatives[a].data());
             for (Lanes& derivative : derivatives[a]) derivative *= scale;
         }
@@ -249,52 +259,50 @@ class TensorProductShape : public ShapeFunction<S> {
 
     static constexpr int record = Loops::record;
     template <Sent sent>
-    static void scatter_tile(Patch<S>& patch, const Tile<S>& tile, const Particles<S>& particles, Index first,
-                             Index last, Index end, const Scatter& what) {
-        alignas(32) std::array<Real, Tile<S>::nodes * record> nodes;
-        tile.visit_rows([&](int place, Index, int count) {
-            std::fill_n(nodes.data() + place * record, count * record, Real(0));
+    MATPOINT_FLATTEN static void scatter_tile(Patch<S>& patch, const Tile<S>& tile,
+                                              const Particles<S>& particles, Index first, Index last,
+                                              Index end, const Scatter& what) {
+        alignas(64) std::array<Real, Tile<S>::nodes * record> nodes;
+        tile.visit_rows([&](int place, Index) {
+            for (int i = 0; i < row_length; i += 4) Loops::clear_records(nodes.data() + (place + i) * record);
         });
-        Bases bases{};
-        Places places;
-        for (Index p = first; p < last; p += batch_size) {
-            const int count = static_cast<int>(std::min<Index>(batch_size, last - p));
-            find_bases(patch, particles, p, count, bases);
-            find_places(tile, bases, count, places);
-            for (int i = 0; i < count; i += Lanes::lanes) {
-                const Slice slice{p + i, std::min(count - i, Lanes::lanes), p + i + Lanes::lanes <= end};
-                typename Loops::Senders from;
-                prepare<sent>(patch, particles, slice, bases, i, what, from);
-                for (int k = 0; k < slice.count; ++k)
-                    Loops::template send<sent>(from, k, nodes.data() + places[i + k] * record);
+        const Locator locator(patch, tile);
+        for (Index p = first; p < last; p += Lanes::lanes) {
+            const Slice slice = slice_of(p, static_cast<int>(std::min<Index>(last - p, Lanes::lanes)), end);
+            LaneVector s;
+            std::array<int, Lanes::lanes> places;
+            locator.locate(particles, slice, places.data(), s);
+            typename Loops::Senders from;
+            prepare<sent>(patch, particles, slice, s, what, from);
+            for (int k = 0; k < slice.count;) {
+                Real* const to = nodes.data() + places[k] * record;
+                if (k + 1 < slice.count && places[k + 1] == places[k]) {
+                    Loops::template send<sent, 2>(from, k, to);
+                    k += 2;
+                } else {
+                    Loops::template send<sent, 1>(from, k, to);
+                    k += 1;
+                }
             }
         }
-        std::array<std::pair<Real*, int>, record> sums;  // columns of the nodes and their places in a record
-        int columns = 0;
-        const auto add = [&](NodeField field, int c, int component) {
-            sums[static_cast<std::size_t>(columns++)] = {patch.column(field, c), component};
-        };
-        if (what.mass) add(NodeField::mass, 0, Loops::mass_place);
+        // By the places of components in a record.
+        std::array<Real*, record> columns{};
         for (int c = 0; c < D; ++c) {
-            if (what.momentum) add(*what.momentum, c, c);
-            if (what.internal_force) add(NodeField::force, c, Loops::force_place + c);
+            if (what.momentum) columns[c] = patch.column(*what.momentum, c);
+            if (what.internal_force) columns[Loops::force_place + c] = patch.column(NodeField::force, c);
         }
-        tile.visit_rows([&](int place, Index start, int count) {
-            const Real* const row = nodes.data() + place * record;
-            for (int k = 0; k < columns; ++k) {
-                const auto [column, component] = sums[static_cast<std::size_t>(k)];
-                for (int i = 0; i < count; ++i) column[start + i] += row[i * record + component];
-            }
+        if (what.mass) columns[Loops::mass_place] = patch.column(NodeField::mass);
+        tile.visit_rows([&](int place, Index start) {
+            for (int i = 0; i < row_length; i += 4)
+                Loops::add_records(nodes.data() + (place + i) * record, columns, start + i);
         });
     }
 
     template <Sent sent>
     static void prepare(const Patch<S>& patch, const Particles<S>& particles, const Slice& slice,
-                        const Bases& bases, int at, const Scatter& what, typename Loops::Senders& to) {
-        LaneVector base, s;
-        for (int a = 0; a < D; ++a) base[a] = Lanes::load(bases[a].data() + at);
+                        const LaneVector& s, const Scatter& what, typename Loops::Senders& to) {
         Axes<Lanes> weights, derivatives, moments;
-        weigh(patch, particles, slice, base, weights, derivatives, s);
+        weigh(patch, particles, slice, s, weights, derivatives);
         to.set_weights(weights);
         if constexpr (sent.force) to.set_slopes(1, weights, derivatives);
         if constexpr (sent.affine) {
@@ -302,32 +310,32 @@ class TensorProductShape : public ShapeFunction<S> {
             to.set_slopes(0, weights, moments);
         }
 
-        const auto load = [&](int slot, int c) { return slice.load(particles.column(slot, c)); };
-        std::array<Lanes, record> value;
-        std::array<std::array<Lanes, record>, D> flux;
-        value.fill(Lanes(0));
-        for (auto& own : flux) own.fill(Lanes(0));
+        typename Loops::Columns value;
+        std::array<typename Loops::Columns, D> flux;
+        Loops::clear(value);
+        for (auto& own : flux) Loops::clear(own);
         if constexpr (sent.motion) {
             const Lanes mass = slice.load(particles.column(Field::mass));
             value[Loops::mass_place] = mass;
             for (int c = 0; c < D; ++c) {
                 value[c] = mass * slice.load(particles.column(Field::velocity, c));
                 if constexpr (sent.affine)
-                    for (int a = 0; a < D; ++a) flux[a][c] = mass * load(what.affine_slot, c + D * a);
+                    for (int a = 0; a < D; ++a)
+                        flux[a][c] = mass * slice.load(particles.column(what.affine_slot, c + D * a));
             }
         }
         if constexpr (sent.force) {
             // f_i -= sum sigma grad S V [Wallstedt & Guilkey 2008, eq. 14]; axisymmetric: and, radially,
             // S V sigma_hoop / r.
             constexpr int component[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
-            const int stress = particles.slot(Field::stress);
+            Real* const* const stress = particles.columns(Field::stress);
             const Lanes volume = -slice.load(particles.column(Field::volume));
             for (int a = 0; a < D; ++a)
                 for (int c = 0; c < D; ++c)
-                    flux[a][Loops::force_place + c] = volume * load(stress, component[c][a]);
+                    flux[a][Loops::force_place + c] = volume * slice.load(stress[component[c][a]]);
             if constexpr (S::axisymmetric)
                 value[Loops::force_place] =
-                    volume * load(stress, 2) / slice.load(particles.column(Field::position, 0));
+                    volume * slice.load(stress[2]) / slice.load(particles.column(Field::position, 0));
         }
         Loops::template transpose_records<sent>(value, flux, to);
     }
@@ -348,9 +356,11 @@ class TensorProductShape : public ShapeFunction<S> {
                 Real* const to = numbers.data() + k * D * Tile<S>::nodes;
                 if (k < count) return to;
                 fields[count++] = field;
-                tile.visit_rows([&](int place, Index start, int n) {
+                std::array<const Real*, D> from;
+                for (int c = 0; c < D; ++c) from[c] = patch.column(field, c);
+                tile.visit_rows([&](int place, Index start) {
                     for (int c = 0; c < D; ++c)
-                        std::copy_n(patch.column(field, c) + start, n, to + c * Tile<S>::nodes + place);
+                        std::copy_n(from[c] + start, row_length, to + c * Tile<S>::nodes + place);
                 });
                 return to;
             };
@@ -361,26 +371,33 @@ class TensorProductShape : public ShapeFunction<S> {
         }
     };
 
-    static void gather_tile(const Patch<S>& patch, const Tile<S>& tile, const Particles<S>& particles,
-                            Index begin, Index last, Index end, const Gather& what, GatherSink<S>& sink) {
+    MATPOINT_FLATTEN static void gather_tile(const Patch<S>& patch, const Tile<S>& tile,
+                                             const Particles<S>& particles, Index begin, Index last,
+                                             Index end, const Gather& what, GatherSink<S>& sink) {
         const Copies nodes(patch, tile, what);
         Gathered<S> gathered;
-        Bases bases;
-        Places places;
+        const Locator locator(patch, tile);
+        std::array<int, batch_size> places;
+        std::array<std::array<Real, batch_size + Lanes::lanes>, D> offsets;  // in cells from there
         for (Index p = begin; p < last;) {
             const int count = static_cast<int>(std::min<Index>(batch_size, last - p));
-            find_bases(patch, particles, p, count, bases);
-            find_places(tile, bases, count, places);
+            for (int i = 0; i < count; i += Lanes::lanes) {
+                LaneVector s;
+                locator.locate(particles, slice_of(p + i, count - i, end), places.data() + i, s);
+                for (int a = 0; a < D; ++a) s[a].store(offsets[a].data() + i);
+            }
             int first = 0;
             while (first < count) {
                 int next = first + 1;
                 while (next < count && places[next] == places[first]) ++next;
                 // More of them may lie beyond the batch: the next one has them all.
                 if (next == count && first > 0 && p + count < last) break;
-                for (int i = first; i < next; i += Lanes::lanes)
-                    gather_slice(patch, particles, places[first], base_of(bases, first),
-                                 {p + i, std::min(next - i, Lanes::lanes), p + i + Lanes::lanes <= end},
-                                 nodes, gathered, i);
+                for (int i = first; i < next; i += Lanes::lanes) {
+                    LaneVector s;
+                    for (int a = 0; a < D; ++a) s[a] = Lanes::load(offsets[a].data() + i);
+                    gather_slice(patch, particles, places[first], s, slice_of(p + i, next - i, end), nodes,
+                                 gathered, i);
+                }
                 first = next;
             }
             sink.receive(p, first, gathered);
@@ -390,13 +407,11 @@ class TensorProductShape : public ShapeFunction<S> {
 
     /// Fills the columns of `gathered` from place `at` on; all particles of the slice have the same base.
     static void gather_slice(const Patch<S>& patch, const Particles<S>& particles, int place,
-                             const Coordinates& base, const Slice& slice, const Copies& nodes,
+                             const LaneVector& s, const Slice& slice, const Copies& nodes,
                              Gathered<S>& gathered, int at) {
         constexpr int component = Tile<S>::nodes;
-        LaneVector first, s;
-        for (int a = 0; a < D; ++a) first[a] = Lanes(base[a]);
         Reader to;
-        weigh(patch, particles, slice, first, to.weight, to.slope, s);
+        weigh(patch, particles, slice, s, to.weight, to.slope);
         to.multiply();
 
         if (nodes.gradient) {

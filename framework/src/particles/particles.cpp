@@ -59,6 +59,7 @@ std::optional<Field> field_from_name(std::string_view name) {
 template <class S>
 Particles<S>::Particles(std::string body) : body_(std::move(body)) {
     slots_.fill(-1);
+    first_columns_.fill(0);
     for (const Field field : {Field::position, Field::velocity, Field::mass, Field::volume, Field::stress})
         require(field);
 }
@@ -69,8 +70,10 @@ void Particles<S>::require(Field field) {
         has_ids_ = true;
         return;
     }
-    int& slot = slots_[static_cast<std::size_t>(field)];
-    if (slot < 0) slot = add(std::string(field_name(field)), initial_values<S>(field));
+    const auto i = static_cast<std::size_t>(field);
+    if (slots_[i] >= 0) return;
+    slots_[i] = add(std::string(field_name(field)), initial_values<S>(field));
+    first_columns_[i] = fields_.back().first;
 }
 
 template <class S>

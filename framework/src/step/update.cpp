@@ -16,6 +16,7 @@ template <class S>
 class Engine<S>::BatchUpdate final : public GatherSink<S> {
   public:
     using Number = Pack<Real>;
+    using Wide = Pack<double, Number::lanes>;  ///< what sums over particles are made of
 
     BatchUpdate(const Patch<S>& patch, Particles<S>& particles, std::size_t body, const Material<S>& material,
                 int first_state, const Transfer<S>& transfer, typename Phases<S>::Update what, Real dt,
@@ -41,20 +42,23 @@ class Engine<S>::BatchUpdate final : public GatherSink<S> {
         if (what_.stress) strain(batch);
     }
 
-    void add_motion(const ParticleBatch<S>& batch) {
+    MATPOINT_FLATTEN void add_motion(const ParticleBatch<S>& batch) {
         LaneSums kinetic, momentum_scale;
         std::array<LaneSums, S::dimension> momentum;
         Number fastest(0);
         visit_packs(batch, [&](const auto& p) {
-            const Number mass = p.mass();
+            const Wide mass = wide(p.mass());
+            Wide energy(0);
             Number square(0);
             for (int a = 0; a < S::dimension; ++a) {
                 const Number v = p.load(Field::velocity, a);
                 square += v * v;
-                momentum[static_cast<std::size_t>(a)].add(p, mass * v);
+                const Wide own = mass * wide(v);
+                energy += own * wide(v);
+                momentum[static_cast<std::size_t>(a)].add(p, own);
             }
-            kinetic.add(p, Number(0.5) * mass * square);
-            momentum_scale.add(p, mass * sqrt(square));
+            kinetic.add(p, Wide(0.5) * energy);
+            momentum_scale.add(p, mass * wide(sqrt(square)));
             fastest = max(square, fastest);
         });
         sums_.kinetic += kinetic.total();
@@ -74,7 +78,7 @@ class Engine<S>::BatchUpdate final : public GatherSink<S> {
     }
 
   private:
-    void move(const ParticleBatch<S>& batch) {
+    MATPOINT_FLATTEN void move(const ParticleBatch<S>& batch) {
         for (int a = 0; a < S::dimension; ++a) {
             const Number low(low_[a]), high(high_[a]);
             Number least(bounds_.low[a]), greatest(bounds_.high[a]);
@@ -95,14 +99,14 @@ class Engine<S>::BatchUpdate final : public GatherSink<S> {
         }
     }
 
+    static Wide wide(Number a) { return a.template as<double>(); }
     /// Sums over the particles of a batch, in an order that does not depend on how many lanes there are.
     class LaneSums {
       public:
         template <class Point>
-        MATPOINT_INLINE void add(const Point& p, Number a) {
-            using Sum = Pack<double, Number::lanes>;
+        MATPOINT_INLINE void add(const Point& p, Wide a) {
             double* const sums = sums_.data() + p.at() % static_cast<int>(sums_.size());
-            (Sum::load(sums) + p.mine(a).template as<double>()).store(sums);
+            (Wide::load(sums) + p.mine(a)).store(sums);
         }
         double total() const { return std::accumulate(sums_.begin(), sums_.end(), 0.0); }
 
@@ -112,24 +116,25 @@ class Engine<S>::BatchUpdate final : public GatherSink<S> {
     /// F = (I + L dt) F, V = det(I + L dt) V, then the stress [Wallstedt & Guilkey 2008, eq. 11-13]. Its work
     /// is that of V sigma : L before and after, of second order in dt. At the end of the step the same
     /// velocities have the gradient L (I + L dt)^-1, for which L - dt L^2 is enough.
-    void strain(const ParticleBatch<S>& batch) {
+    MATPOINT_FLATTEN void strain(const ParticleBatch<S>& batch) {
         const bool deforms = particles_.has(Field::deformation_gradient);
         const bool keeps_gradient = particles_.has(Field::velocity_gradient);
         LaneSums power;  // W
         visit_packs(batch, [&](const auto& p) {
             const Tensor<S, Number> gradient = p.velocity_gradient();
             const Number volume = p.volume();
-            power.add(p, volume * contract(p.stress(), gradient));
-            const Tensor<S, Number> increment = Tensor<S, Number>::identity() + dt_ * gradient;
-            const Number ratio = determinant(increment);
+            power.add(p, wide(volume) * wide(contract(p.stress(), gradient)));
+            Tensor<S, Number> increment = Tensor<S, Number>::identity() + dt_ * gradient;
+            Number ratio = determinant(increment);
             const auto sound = ratio > Number(0);
-            if (__builtin_expect(any(!sound), 0)) report_inverted(batch, p, ratio);
-            // One that turned inside out stays as it was.
-            p.store(Field::volume, 0, select(sound, volume * ratio, volume));
-            if (deforms) {
-                const Tensor<S, Number> before = p.deformation_gradient();
-                p.set_deformation_gradient(select(sound, increment * before, before));
+            if (__builtin_expect(any(!sound), 0)) {
+                report_inverted(batch, p, ratio);
+                // One that turned inside out stays as it was.
+                increment = select(sound, increment, Tensor<S, Number>::identity());
+                ratio = select(sound, ratio, Number(1));
             }
+            p.store(Field::volume, 0, volume * ratio);
+            if (deforms) p.set_deformation_gradient(increment * p.deformation_gradient());
             if (keeps_gradient)
                 for (int c = 0; c < S::dimension * S::dimension; ++c)
                     p.store(Field::velocity_gradient, c, gradient.plane.data()[c]);
@@ -137,7 +142,8 @@ class Engine<S>::BatchUpdate final : public GatherSink<S> {
         add_wave_speed(batch, material_.update(batch, dt_));
         visit_packs(batch, [&](const auto& p) {
             const Tensor<S, Number> gradient = p.velocity_gradient();
-            power.add(p, p.volume() * contract(p.stress(), gradient - dt_ * (gradient * gradient)));
+            power.add(p,
+                      wide(p.volume()) * wide(contract(p.stress(), gradient - dt_ * (gradient * gradient))));
         });
         sums_.strain_work += power.total() * static_cast<double>(dt_) / 2;
         if (!std::isfinite(power.total())) report(batch.begin(), false, 0);

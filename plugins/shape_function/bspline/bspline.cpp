@@ -12,9 +12,10 @@ struct QuadraticSpline {
     static constexpr int width = 3;
     static constexpr bool sized = false;
 
-    template <class Real>
-    static int base(Real xi) {
-        return static_cast<int>(std::floor(xi - Real(0.5)));
+    template <class T>
+    static T base(T xi) {
+        using std::floor;
+        return floor(xi - T(0.5));
     }
 
     /// s is in [1/2, 3/2): the middle node is the nearest.
@@ -35,9 +36,10 @@ struct CubicSpline {
     static constexpr int width = 4;
     static constexpr bool sized = false;
 
-    template <class Real>
-    static int base(Real xi) {
-        return static_cast<int>(std::floor(xi)) - 1;
+    template <class T>
+    static T base(T xi) {
+        using std::floor;
+        return floor(xi) - T(1);
     }
 
     /// s is in [1, 2): the particle's cell lies between the middle nodes.

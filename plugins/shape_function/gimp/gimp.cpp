@@ -23,9 +23,10 @@ struct AveragedTent {
     /// Smaller domains count as this large, so that the average exists for points too.
     static constexpr double smallest_half_size = 1e-3;
 
-    template <class Real>
-    static int base(Real xi) {
-        return static_cast<int>(std::floor(xi - Real(largest_half_size)));
+    template <class T>
+    static T base(T xi) {
+        using std::floor;
+        return floor(xi - T(largest_half_size));
     }
 
     template <class T>
@@ -36,7 +37,9 @@ struct AveragedTent {
         const T begin = s - l, end = s + l, density = T(1) / (end - begin);
         weights[0] = derivatives[0] = T(0);
         for (int k = 0; k < Width - 1; ++k) {
-            const T lo = max(T(0), min(begin - T(k), T(1))), hi = max(T(0), min(end - T(k), T(1)));
+            T lo = begin - T(k), hi = end - T(k);
+            if (k > 0) lo = max(T(0), lo), hi = max(T(0), hi);
+            if (k < Width - 2) lo = min(lo, T(1)), hi = min(hi, T(1));
             const T share = (hi - lo) * density, right = T(0.5) * (hi + lo) * share;
             weights[k] = weights[k] + (share - right);
             weights[k + 1] = right;

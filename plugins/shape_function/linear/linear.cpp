@@ -11,9 +11,10 @@ struct Tent {
     static constexpr int width = 2;
     static constexpr bool sized = false;
 
-    template <class Real>
-    static int base(Real xi) {
-        return static_cast<int>(std::floor(xi));
+    template <class T>
+    static T base(T xi) {
+        using std::floor;
+        return floor(xi);
     }
 
     template <class T>

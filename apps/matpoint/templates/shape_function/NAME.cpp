@@ -11,9 +11,10 @@ struct Spline {
     static constexpr bool sized = false;  // particles are points
 
     /// First of these nodes; xi is the position in cells from the grid's lower corner.
-    template <class Real>
-    static int base(Real xi) {
-        return static_cast<int>(std::floor(xi - Real(0.5)));
+    template <class T>
+    static T base(T xi) {
+        using std::floor;
+        return floor(xi - T(0.5));
     }
 
     /// Weights and derivatives (per cell) at s = xi - base, 1/2 <= s < 3/2. T is a number, or some at once.
