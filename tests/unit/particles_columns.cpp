@@ -1,4 +1,4 @@
-#include <matpoint/columns.hpp>
+#include <matpoint/particles.hpp>
 
 #include <gtest/gtest.h>
 
@@ -37,15 +37,36 @@ TEST(columns, begin_an_odd_number_of_cache_lines_apart) {
     }
 }
 
-TEST(columns, assign_clears) {
-    Columns<double> columns;
-    columns.assign(2, 1000);
-    const double* const memory = columns[0];
-    columns[1][999] = 3;
-    columns.assign(2, 1050);
-    EXPECT_EQ(columns[0], memory);
-    EXPECT_EQ(columns[1][999], 0);
-    EXPECT_EQ(columns[1][1049], 0);
+TEST(columns, keep_what_they_held_when_the_spare_one_is_released) {
+    for (const Index n : {Index{100}, Index{300'001}}) {
+        Columns<double> columns(1);
+        columns.resize(3, n);
+        for (std::size_t c = 0; c < 3; ++c)
+            for (Index p = 0; p < n; ++p) columns[c][p] = static_cast<double>(c + 1);
+        for (const std::size_t exchanged : {2U, 0U, 1U}) {
+            std::fill_n(columns.spare(), n, static_cast<double>(exchanged + 1));
+            columns.exchange_with_spare(exchanged);
+            columns.release_spare();
+            for (std::size_t c = 0; c < 3; ++c)
+                for (Index p = 0; p < n; ++p) ASSERT_EQ(columns[c][p], static_cast<double>(c + 1)) << n;
+        }
+    }
+}
+
+TEST(particles, that_follow_dropped_ones_hold_initial_values) {
+    Particles<Bar> particles("rod");
+    particles.require(Field::deformation_gradient);
+    particles.resize(3);
+    for (Index p = 0; p < 3; ++p)
+        particles.column(Field::mass)[p] = particles.column(Field::deformation_gradient)[p] = 7;
+    const std::array<std::uint32_t, 1> kept{2};
+    particles.permute(kept);
+    particles.resize(3);
+    EXPECT_EQ(particles.column(Field::mass)[0], 7);
+    for (const Index p : {1, 2}) {
+        EXPECT_EQ(particles.column(Field::mass)[p], 0);
+        EXPECT_EQ(particles.column(Field::deformation_gradient)[p], 1);
+    }
 }
 
 }  // namespace

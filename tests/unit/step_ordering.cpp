@@ -30,7 +30,7 @@ class Corners final : public ShapeFunction<S> {
 };
 
 TEST(ordering, forgets_the_colours_of_a_body_with_its_ranges) {
-    const Patch<S> patch({0, 0, 0}, {1, 1, 1}, {32, 32});
+    Patch<S> patch({0, 0, 0}, {1, 1, 1}, {32, 32});
     std::vector<Particles<S>> bodies;
     bodies.emplace_back("block");
     bodies[0].resize(1);
@@ -45,6 +45,23 @@ TEST(ordering, forgets_the_colours_of_a_body_with_its_ranges) {
     ordering.update(patch, bodies, Corners());
     EXPECT_TRUE(ordering.ranges(0).empty());
     for (const auto& colour : ordering.colours(0)) EXPECT_TRUE(colour.empty());
+}
+
+TEST(ordering, takes_the_grids_blocks_only_when_it_sorts) {
+    Patch<S> patch({0, 0, 0}, {1, 1, 1}, {32, 32});
+    std::vector<Particles<S>> bodies;
+    bodies.emplace_back("block");
+    bodies[0].resize(1);
+    bodies[0].column(Field::position, 0)[0] = bodies[0].column(Field::position, 1)[0] = 3.5;
+    Ordering<S> ordering(1);
+    patch.set_blocks({0, 7});
+    ASSERT_TRUE(ordering.update(patch, bodies, Corners()));
+    EXPECT_EQ(patch.node_count(), 0);
+
+    patch.set_blocks({0, 7});
+    bodies[0].column(Field::position, 0)[0] += 1;
+    ASSERT_FALSE(ordering.update(patch, bodies, Corners()));
+    EXPECT_EQ(patch.existing_blocks(), std::vector({0, 7}));
 }
 
 }  // namespace

@@ -58,7 +58,8 @@ void Patch<S>::set_blocks(const std::vector<int>& numbers) {
         while (table_[i & (table_.size() - 1)].number >= 0) ++i;
         table_[i & (table_.size() - 1)] = {existing_[slot], static_cast<int>(slot)};
     }
-    columns_.assign(column_count_, node_count());
+    columns_.resize(0, 0);
+    columns_.resize(column_count_, node_count());
 }
 
 template <class S>

@@ -3,6 +3,7 @@
 #include <sys/mman.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <new>
 
@@ -10,21 +11,47 @@ namespace matpoint {
 
 namespace {
 constexpr std::size_t cache_line = 64, huge_page = std::size_t{1} << 21;
+constexpr std::size_t page = std::size_t{1} << 16;  // whole pages on every system
 
-/// Zeros; pages that are never touched take no memory.
-void* allocate(std::size_t bytes) {
-    const std::size_t alignment = bytes < huge_page ? cache_line : huge_page;
-    const std::size_t whole = (bytes + alignment - 1) / alignment * alignment;
-    void* const memory = std::aligned_alloc(alignment, whole);
-    if (memory == nullptr) throw std::bad_alloc();
-    if (alignment == huge_page) madvise(memory, whole, MADV_HUGEPAGE);
-    return memory;
+constexpr std::size_t rounded_up(std::size_t bytes, std::size_t unit) {
+    return (bytes + unit - 1) / unit * unit;
+}
+
+/// Memory of the system that begins with a huge page.
+std::byte* map(std::size_t bytes) {
+    void* const mapped =
+        mmap(nullptr, bytes + huge_page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (mapped == MAP_FAILED) throw std::bad_alloc();
+    const auto address = reinterpret_cast<std::uintptr_t>(mapped);
+    const std::size_t before = rounded_up(address, huge_page) - address;
+    std::byte* const begin = static_cast<std::byte*>(mapped) + before;
+    if (before > 0) munmap(mapped, before);
+    if (before < huge_page) munmap(begin + bytes, huge_page - before);
+    madvise(begin, bytes, MADV_HUGEPAGE);
+    return begin;
 }
 }  // namespace
 
 template <class Real>
 void Columns<Real>::Free::operator()(Real* memory) const {
-    std::free(memory);
+    if (mapped > 0)
+        munmap(memory, mapped);
+    else
+        std::free(memory);
+}
+
+/// Zeros. Pages of large memory that are never touched take none.
+template <class Real>
+typename Columns<Real>::Memory Columns<Real>::allocate(std::size_t bytes) {
+    if (bytes >= huge_page) {
+        const std::size_t whole = rounded_up(bytes, page);
+        return Memory(reinterpret_cast<Real*>(map(whole)), {whole});
+    }
+    const std::size_t whole = rounded_up(bytes, cache_line);
+    auto* const memory = static_cast<Real*>(std::aligned_alloc(cache_line, whole));
+    if (memory == nullptr) throw std::bad_alloc();
+    std::fill_n(memory, whole / sizeof(Real), Real(0));
+    return Memory(memory);
 }
 
 template <class Real>
@@ -41,15 +68,10 @@ void Columns<Real>::resize(int count, Index n) {
     const Index pitch = (lines % 2 == 0 ? lines + 1 : lines) * line;
     const auto columns = static_cast<std::size_t>(count + spares_);
 
-    std::unique_ptr<Real[], Free> fresh;
-    if (n > 0)
-        fresh.reset(static_cast<Real*>(allocate(columns * static_cast<std::size_t>(pitch) * sizeof(Real))));
-    for (std::size_t c = 0; n > 0 && c < static_cast<std::size_t>(count); ++c) {
-        Real* const to = fresh.get() + static_cast<Index>(c) * pitch;
-        const Index kept = c < static_cast<std::size_t>(this->count()) ? std::min(size_, n) : 0;
-        if (kept > 0) std::copy_n((*this)[c], kept, to);
-        std::fill(to + kept, to + n, Real(0));
-    }
+    Memory fresh;
+    if (n > 0) fresh = allocate(columns * static_cast<std::size_t>(pitch) * sizeof(Real));
+    for (std::size_t c = 0; n > 0 && c < static_cast<std::size_t>(std::min(count, this->count())); ++c)
+        std::copy_n((*this)[c], std::min(size_, n), fresh.get() + static_cast<Index>(c) * pitch);
     memory_ = std::move(fresh);
     starts_.resize(columns);
     for (std::size_t c = 0; c < columns; ++c) starts_[c] = memory_.get() + static_cast<Index>(c) * pitch;
@@ -58,17 +80,18 @@ void Columns<Real>::resize(int count, Index n) {
 }
 
 template <class Real>
-void Columns<Real>::assign(int count, Index n) {
-    if (count != this->count() || n > pitch_) {
-        resize(0, 0);
-        resize(count,
-               n + n / 8);  // more than asked for: bodies that move need a few more blocks now and then
-    }
-    size_ = n;
-    for (std::size_t c = 0; c < static_cast<std::size_t>(count); ++c) std::fill_n((*this)[c], n, Real(0));
+void Columns<Real>::release_spare() {
+    if (memory_.get_deleter().mapped == 0) return;
+    // Its whole pages; on the others its neighbours lie, too.
+    auto* const begin = reinterpret_cast<std::byte*>(spare());
+    const std::size_t before =
+        rounded_up(reinterpret_cast<std::uintptr_t>(begin), page) - reinterpret_cast<std::uintptr_t>(begin);
+    if (column_bytes() < before + page) return;
+    madvise(begin + before, (column_bytes() - before) / page * page, MADV_DONTNEED);
 }
 
 template class Columns<double>;
 template class Columns<float>;
+template class Columns<std::uint32_t>;
 
 }  // namespace matpoint

@@ -110,7 +110,8 @@ void Particles<S>::resize(Index n) {
     for (const FieldInfo& field : fields_)
         for (std::size_t c = 0; c < field.initial.size(); ++c) {
             Real* const column = columns_[static_cast<std::size_t>(field.first) + c];
-            if (n > size_) std::fill(column + size_, column + n, static_cast<Real>(field.initial[c]));
+            const auto initial = static_cast<Real>(field.initial[c]);  // 0 it is already
+            if (n > size_ && initial != 0) std::fill(column + size_, column + n, initial);
         }
     if (has_ids_) {
         const std::size_t old = ids_.size();
@@ -133,6 +134,8 @@ void Particles<S>::permute(std::span<const std::uint32_t> order) {
         });
         columns_.exchange_with_spare(c);
     }
+    columns_.release_spare();
+    columns_.shorten(count);
     if (has_ids_) {
         std::vector<std::uint32_t> ids(order.size());
         for (std::size_t k = 0; k < order.size(); ++k) ids[k] = ids_[order[k]];

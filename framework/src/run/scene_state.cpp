@@ -60,10 +60,14 @@ template <class S>
 double SceneSimulation<S>::mass() const {
     double sum = 0;
     for (const Particles<S>& particles : assembly_.bodies) {
-        // By id where there are ids, so that sorting does not change the rounding.
-        const std::vector<double> masses = field_column(particles, "mass", 0);
         double own = 0;
-        for (const double m : masses) own += m;
+        if (particles.has(Field::id)) {
+            // By id, so that sorting does not change the rounding.
+            for (const double m : field_column(particles, "mass", 0)) own += m;
+        } else {
+            const auto* mass = particles.column(Field::mass);
+            for (Index p = 0; p < particles.size(); ++p) own += static_cast<double>(mass[p]);
+        }
         sum += own;
     }
     return sum;

@@ -43,12 +43,12 @@ std::vector<Stray> Ordering<S>::strays(const Patch<S>& patch, const std::vector<
 }
 
 template <class S>
-bool Ordering<S>::update(const Patch<S>& patch, std::vector<Particles<S>>& bodies,
-                         const ShapeFunction<S>& shape) {
+bool Ordering<S>::update(Patch<S>& patch, std::vector<Particles<S>>& bodies, const ShapeFunction<S>& shape) {
     bool sorted = false;
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         const Index covered = ranges_[b].empty() ? 0 : ranges_[b].back().end;
         if (covered == bodies[b].size() && !strayed(patch, bodies[b], b, shape)) continue;
+        if (!sorted) patch.set_blocks({});
         sort(patch, bodies[b], ranges_[b], shape);
         colour(patch, b);
         measure(bodies[b], b);
@@ -89,14 +89,25 @@ void Ordering<S>::measure(const Particles<S>& particles, std::size_t body) {
     });
 }
 
-/// By counting: the particles of each block, then of each cell in it, in their present order.
 template <class S>
 void Ordering<S>::sort(const Patch<S>& patch, Particles<S>& particles, Ranges& ranges,
                        const ShapeFunction<S>& shape) {
+    const Column sorted = order(patch, particles, ranges, shape);
+    particles.permute({sorted[0], static_cast<std::size_t>(sorted.size())});
+}
+
+/// By counting: the particles of each block, then of each cell in it, in their present order.
+template <class S>
+typename Ordering<S>::Column Ordering<S>::order(const Patch<S>& patch, const Particles<S>& particles,
+                                                Ranges& ranges, const ShapeFunction<S>& shape) const {
     constexpr int nodes = Patch<S>::block_nodes;
     const Index n = particles.size();
-    std::vector<int> block(static_cast<std::size_t>(n));
-    std::vector<unsigned char> cell(static_cast<std::size_t>(n));
+    const auto count = static_cast<std::size_t>(n);
+    Column blocks, order;
+    blocks.resize(1, n);
+    order.resize(1, n);
+    std::uint32_t* const block = blocks[0];
+    std::vector<unsigned char> cell(count);
     parallel_for((n + chunk - 1) / chunk, n, [&](Index k) {
         const Index begin = k * chunk, end = std::min(n, begin + chunk);
         std::vector<typename Patch<S>::Coordinates> base(static_cast<std::size_t>(end - begin));
@@ -109,13 +120,13 @@ void Ordering<S>::sort(const Patch<S>& patch, Particles<S>& particles, Ranges& r
                 own[a] = Patch<S>::block_of(node[a]);
                 local = local * Patch<S>::block_edge + ((node[a] + 1) & (Patch<S>::block_edge - 1));
             }
-            block[static_cast<std::size_t>(p)] = patch.block_number(own);
+            block[p] = static_cast<std::uint32_t>(patch.block_number(own));
             cell[static_cast<std::size_t>(p)] = static_cast<unsigned char>(local);
         }
     });
 
-    std::vector<int> present;
-    for (std::size_t p = 0; p < block.size(); ++p)
+    std::vector<std::uint32_t> present;
+    for (std::size_t p = 0; p < count; ++p)
         if (p == 0 || block[p] != block[p - 1]) present.push_back(block[p]);
     std::sort(present.begin(), present.end());
     present.erase(std::unique(present.begin(), present.end()), present.end());
@@ -127,15 +138,14 @@ void Ordering<S>::sort(const Patch<S>& patch, Particles<S>& particles, Ranges& r
     };
 
     std::vector<std::uint32_t> next(present.size() * nodes + 1, 0);
-    for (std::size_t p = 0, rank = 0; p < block.size(); ++p) ++next[bin(p, rank) + 1];
+    for (std::size_t p = 0, rank = 0; p < count; ++p) ++next[bin(p, rank) + 1];
     std::partial_sum(next.begin(), next.end(), next.begin());
     ranges.clear();
     for (std::size_t r = 0; r < present.size(); ++r)
-        ranges.push_back({present[r], next[r * nodes], next[(r + 1) * nodes]});
-    std::vector<std::uint32_t> order(block.size());
-    for (std::size_t p = 0, rank = 0; p < block.size(); ++p)
-        order[next[bin(p, rank)]++] = static_cast<std::uint32_t>(p);
-    particles.permute(order);
+        ranges.push_back({static_cast<int>(present[r]), next[r * nodes], next[(r + 1) * nodes]});
+    for (std::size_t p = 0, rank = 0; p < count; ++p)
+        order[0][next[bin(p, rank)]++] = static_cast<std::uint32_t>(p);
+    return order;
 }
 
 template <class S>

@@ -38,8 +38,9 @@ class Ordering {
 
     /// Particles outside the grid's faces.
     std::vector<Stray> strays(const Patch<S>& patch, const std::vector<Particles<S>>& bodies) const;
-    /// Sorts the bodies if a particle has strayed too far, or never was sorted; true if it did.
-    bool update(const Patch<S>& patch, std::vector<Particles<S>>& bodies, const ShapeFunction<S>& shape);
+    /// Sorts the bodies if a particle has strayed too far, or never was sorted; true if it did. The grid has
+    /// no blocks then: what they took serves for sorting.
+    bool update(Patch<S>& patch, std::vector<Particles<S>>& bodies, const ShapeFunction<S>& shape);
     /// Blocks that must exist: those with particles and all their neighbours, ascending.
     std::vector<int> blocks(const Patch<S>& patch) const;
 
@@ -60,11 +61,15 @@ class Ordering {
     }
 
   private:
+    using Column = Columns<std::uint32_t>;
+
     bool strayed(const Patch<S>& patch, const Particles<S>& particles, std::size_t body,
                  const ShapeFunction<S>& shape) const;
     void colour(const Patch<S>& patch, std::size_t body);
     void measure(const Particles<S>& particles, std::size_t body);
     void sort(const Patch<S>& patch, Particles<S>& particles, Ranges& ranges, const ShapeFunction<S>& shape);
+    Column order(const Patch<S>& patch, const Particles<S>& particles, Ranges& ranges,
+                 const ShapeFunction<S>& shape) const;
 
     std::vector<Ranges> ranges_;
     std::vector<std::vector<std::vector<Index>>> colours_;
