@@ -6,10 +6,12 @@
 #include <unistd.h>
 #include <matpoint/geometry.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -78,6 +80,17 @@ class GeometryTest : public testing::Test {
         }
     }
 };
+
+/// The particles that a geometry lists, a few at a time.
+inline std::vector<PointCloud::Point> listed(const Geometry& geometry) {
+    const PointCloud& cloud = *geometry.points();
+    std::vector<PointCloud::Point> points(static_cast<std::size_t>(cloud.size()));
+    constexpr std::size_t part = 7;
+    for (std::size_t first = 0; first < points.size(); first += part)
+        cloud.read(static_cast<Index>(first),
+                   std::span(points).subspan(first, std::min(part, points.size() - first)));
+    return points;
+}
 
 /// Points at the middle of cells of size h that cover the geometry's bounds, in its dimensions.
 inline std::vector<Eigen::Vector3d> lattice(const Geometry& geometry, double h, int dimension) {

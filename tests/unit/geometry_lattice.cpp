@@ -11,7 +11,7 @@ class GeometryLattice : public GeometryTest {
   protected:
     static double volume(const Geometry& geometry) {
         double sum = 0;
-        for (const PointCloud::Point& point : geometry.points()->points) sum += point.volume;
+        for (const PointCloud::Point& point : listed(geometry)) sum += point.volume;
         return sum;
     }
 };
@@ -19,7 +19,7 @@ class GeometryLattice : public GeometryTest {
 TEST_F(GeometryLattice, FillsABar) {
     const auto bar = make({{"type", "lattice"}, {"min", {-1}}, {"max", {1}}, {"counts", {5}}}, 1);
     ASSERT_NE(bar->points(), nullptr);
-    const auto& points = bar->points()->points;
+    const auto points = listed(*bar);
     ASSERT_EQ(points.size(), 5U);
     for (std::size_t k = 0; k < 5; ++k) {
         EXPECT_NEAR(points[k].position[0], -0.8 + 0.4 * static_cast<double>(k), 1e-15);
@@ -35,7 +35,7 @@ TEST_F(GeometryLattice, FillsABar) {
 TEST_F(GeometryLattice, DomainsTileTheBox) {
     const auto brick =
         make({{"type", "lattice"}, {"min", {0, 1, 2}}, {"max", {1, 4, 2.5}}, {"counts", {4, 3, 1}}}, 3);
-    const auto& points = brick->points()->points;
+    const auto points = listed(*brick);
     ASSERT_EQ(points.size(), 12U);
     for (const PointCloud::Point& point : points) {
         EXPECT_NEAR((*point.half_size - Eigen::Vector3d(0.125, 0.5, 0.25)).norm(), 0, 1e-15);
@@ -58,19 +58,19 @@ TEST_F(GeometryLattice, JitterIsUniformBoundedAndRepeatable) {
     const Json own = {{"type", "lattice"}, {"min", {0, 0, 0}}, {"max", {1, 2, 4}}, {"counts", {20, 20, 20}}};
     Json shaken = own;
     shaken["jitter"] = 0.25;
-    const auto places = make(own, 3), once = make(shaken, 3), twice = make(shaken, 3);
+    const auto places = listed(*make(own, 3)), once = listed(*make(shaken, 3)),
+               twice = listed(*make(shaken, 3));
     const Eigen::Vector3d spacing(0.05, 0.1, 0.2);
     const std::size_t count = 8000;
-    ASSERT_EQ(once->points()->points.size(), count);
+    ASSERT_EQ(once.size(), count);
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
     Eigen::Matrix3d moment = Eigen::Matrix3d::Zero();
     for (std::size_t k = 0; k < count; ++k) {
-        const PointCloud::Point& point = once->points()->points[k];
-        const Eigen::Vector3d shift =
-            (point.position - places->points()->points[k].position).cwiseQuotient(spacing);
+        const PointCloud::Point& point = once[k];
+        const Eigen::Vector3d shift = (point.position - places[k].position).cwiseQuotient(spacing);
         ASSERT_LE(shift.cwiseAbs().maxCoeff(), 0.25 + 1e-12);
-        EXPECT_EQ(point.position, twice->points()->points[k].position);
-        EXPECT_EQ(point.volume, places->points()->points[k].volume);
+        EXPECT_EQ(point.position, twice[k].position);
+        EXPECT_EQ(point.volume, places[k].volume);
         mean += shift / static_cast<double>(count);
         moment += shift * shift.transpose() / static_cast<double>(count);
     }

@@ -23,7 +23,7 @@ TEST_F(GeometryPoints, ReadsColumnsInAnyOrder) {
           "+0.25, 4e-1, -3.5, 0\r\n");
     const auto geometry = make(own, 2);
     ASSERT_NE(geometry->points(), nullptr);
-    const auto& points = geometry->points()->points;
+    const auto points = listed(*geometry);
     ASSERT_EQ(points.size(), 2u);
     EXPECT_EQ(points[0].position, Eigen::Vector3d(1, 2, 0));
     EXPECT_EQ(points[0].velocity, Eigen::Vector3d(0, -3, 0));

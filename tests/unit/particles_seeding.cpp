@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <matpoint/parallel.hpp>
 
+#include <algorithm>
 #include <array>
 #include <numbers>
 #include <set>
@@ -56,15 +57,19 @@ class CountingBlock final : public Geometry {
     Block block_;
 };
 
-class Cloud final : public Geometry {
+class Cloud final : public Geometry, public PointCloud {
   public:
-    explicit Cloud(std::vector<PointCloud::Point> points) : cloud_{std::move(points)} {}
+    explicit Cloud(std::vector<Point> points) : points_(std::move(points)) {}
     Bounds bounds() const override { return {}; }
     bool contains(const Eigen::Vector3d&) const override { return false; }
-    const PointCloud* points() const override { return &cloud_; }
+    const PointCloud* points() const override { return this; }
+    Index size() const override { return std::ssize(points_); }
+    void read(Index first, std::span<Point> points) const override {
+        std::copy_n(points_.begin() + first, points.size(), points.begin());
+    }
 
   private:
-    PointCloud cloud_;
+    std::vector<Point> points_;
 };
 
 /// Cells of 1/4 over [0, 2) along x and [0, 4) along the others.
@@ -230,6 +235,38 @@ TYPED_TEST(ParticlesSeeding, TakesTheDomainsOfListedPoints) {
         EXPECT_EQ(static_cast<double>(particles.vector(Field::half_size, 0)[a]), half_size[a]);
         EXPECT_EQ(static_cast<double>(particles.vector(Field::initial_half_size, 0)[a]), half_size[a]);
     }
+}
+
+TYPED_TEST(ParticlesSeeding, TakesAnyNumberOfListedPointsInTheirOrder) {
+    using S = TypeParam;
+    using Real = typename S::Real;
+    std::vector<PointCloud::Point> points;
+    for (int k = 0; k < 10'001; ++k) {
+        const double volume = 1 + k;
+        points.push_back(
+            {{0.5 + 1e-4 * k, 0, 0}, volume, {-k * 1.0, 0, 0}, Eigen::Vector3d::Constant(volume)});
+    }
+    set_threads(3);
+    auto particles = make_particles<S>();
+    seed(particles, make_patch<S>(), Cloud(points), {1, 1, 1}, 2,
+         [](const Eigen::Vector3d& x) { return Eigen::Vector3d(10 * x[0], 0, 0); });
+    std::vector<PointCloud::Point> two_off = points;
+    two_off[9000].position[0] = two_off[5000].position[0] = -1;
+    const std::string error = error_of([&] {
+        seed(particles, make_patch<S>(), Cloud(two_off), {1, 1, 1}, 2);
+    });
+    set_threads(1);
+
+    ASSERT_EQ(particles.size(), std::ssize(points));
+    for (Index p = 0; p < particles.size(); ++p) {
+        const PointCloud::Point& point = points[static_cast<std::size_t>(p)];
+        ASSERT_EQ(particles.position(p)[0], static_cast<Real>(point.position[0]));
+        ASSERT_EQ(particles.velocity(p)[0], static_cast<Real>(10 * point.position[0] + point.velocity[0]));
+        ASSERT_EQ(particles.column(Field::volume)[p], static_cast<Real>(point.volume));
+        ASSERT_EQ(particles.column(Field::mass)[p], static_cast<Real>(2 * point.volume));
+        ASSERT_EQ(particles.vector(Field::half_size, p)[0], static_cast<Real>(point.volume));
+    }
+    EXPECT_EQ(error.rfind("body \"brick\": point 5001 of its geometry's 10001, at [-1", 0), 0u) << error;
 }
 
 TYPED_TEST(ParticlesSeeding, RefusesAListedPointOutsideTheGrid) {

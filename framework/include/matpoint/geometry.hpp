@@ -1,5 +1,6 @@
 #pragma once
 
+#include <matpoint/columns.hpp>
 #include <matpoint/registry.hpp>
 
 #include <Eigen/Core>
@@ -10,8 +11,9 @@
 
 namespace matpoint {
 
-/// Particles given one by one.
-struct PointCloud {
+/// Particles given one by one, and handed out a part at a time, so that a geometry need not keep them all.
+class PointCloud {
+  public:
     struct Point {
         Eigen::Vector3d position;
         double volume;             ///< m^3 (m^2 in plane strain, m in 1D)
@@ -19,7 +21,11 @@ struct PointCloud {
         /// Half-lengths of its domain, m; by default those of a square or cube of its volume.
         std::optional<Eigen::Vector3d> half_size{};
     };
-    std::vector<Point> points;
+
+    virtual ~PointCloud() = default;
+    virtual Index size() const = 0;
+    /// Sets `points` to point `first` and those that follow it. Called from several threads.
+    virtual void read(Index first, std::span<Point> points) const = 0;
 };
 
 /// A region of space; coordinates that the scene's space lacks are zero.

@@ -24,7 +24,7 @@ double scattered(std::uint64_t k) {
 }  // namespace
 
 /// A box of equally spaced particles; see README.md.
-class Lattice final : public Geometry {
+class Lattice final : public Geometry, public PointCloud {
   public:
     static Schema schema() {
         return Schema("A box along the axes, filled with equally spaced particles whatever the grid's cells",
@@ -60,46 +60,51 @@ class Lattice final : public Geometry {
 
     explicit Lattice(const Parameters& parameters)
         : dimension_(parameters.context().space.dimension()),
+          axisymmetric_(parameters.context().space.mode == Mode::axisymmetric),
           bounds_{Eigen::Vector3d::Map(parameters.vector("min").data()),
-                  Eigen::Vector3d::Map(parameters.vector("max").data())} {
-        std::array<long, 3> counts{1, 1, 1};
-        Eigen::Vector3d spacing = Eigen::Vector3d::Zero();
-        double area = 1;
+                  Eigen::Vector3d::Map(parameters.vector("max").data())},
+          jitter_(parameters.number("jitter")) {
         for (int a = 0; a < dimension_; ++a) {
             const auto i = static_cast<std::size_t>(a);
-            counts[i] = std::lround(parameters.vector("counts")[i]);
-            spacing[a] = (bounds_.max[a] - bounds_.min[a]) / static_cast<double>(counts[i]);
-            area *= spacing[a];
+            counts_[i] = std::lround(parameters.vector("counts")[i]);
+            spacing_[a] = (bounds_.max[a] - bounds_.min[a]) / static_cast<double>(counts_[i]);
+            area_ *= spacing_[a];
         }
-        const double jitter = parameters.number("jitter");
-        const bool axisymmetric = parameters.context().space.mode == Mode::axisymmetric;
-        cloud_.points.reserve(static_cast<std::size_t>(counts[0] * counts[1] * counts[2]));
-        for (long k = 0; k < counts[2]; ++k)
-            for (long j = 0; j < counts[1]; ++j)
-                for (long i = 0; i < counts[0]; ++i) {
-                    const Eigen::Vector3d place(static_cast<double>(i), static_cast<double>(j),
-                                                static_cast<double>(k));
-                    Eigen::Vector3d position =
-                        bounds_.min + spacing.cwiseProduct(place + Eigen::Vector3d::Constant(0.5));
-                    // With r at its middle, the volume of a rectangle's ring is exact.
-                    const double width = axisymmetric ? 2 * std::numbers::pi * position[0] : 1;
-                    if (jitter > 0)
-                        for (int a = 0; a < dimension_; ++a)
-                            position[a] += jitter * spacing[a] *
-                                           scattered(3 * cloud_.points.size() + static_cast<std::size_t>(a));
-                    cloud_.points.push_back({position, area * width, Eigen::Vector3d::Zero(), spacing / 2});
-                }
     }
 
     Bounds bounds() const override { return bounds_; }
     /// Single points fill no region.
     bool contains(const Eigen::Vector3d&) const override { return false; }
-    const PointCloud* points() const override { return &cloud_; }
+    const PointCloud* points() const override { return this; }
+
+    Index size() const override { return counts_[0] * counts_[1] * counts_[2]; }
+    void read(Index first, std::span<Point> points) const override {
+        for (Index k = 0; k < std::ssize(points); ++k) points[static_cast<std::size_t>(k)] = point(first + k);
+    }
 
   private:
+    Point point(Index number) const {
+        const Index row = number / counts_[0];
+        const Eigen::Vector3d place(static_cast<double>(number % counts_[0]),
+                                    static_cast<double>(row % counts_[1]),
+                                    static_cast<double>(row / counts_[1]));
+        Eigen::Vector3d position =
+            bounds_.min + spacing_.cwiseProduct(place + Eigen::Vector3d::Constant(0.5));
+        // With r at its middle, the volume of a rectangle's ring is exact.
+        const double width = axisymmetric_ ? 2 * std::numbers::pi * position[0] : 1;
+        if (jitter_ > 0)
+            for (int a = 0; a < dimension_; ++a)
+                position[a] += jitter_ * spacing_[a] * scattered(static_cast<std::uint64_t>(3 * number + a));
+        return {position, area_ * width, Eigen::Vector3d::Zero(), spacing_ / 2};
+    }
+
     int dimension_;
+    bool axisymmetric_;
     Bounds bounds_;  ///< m
-    PointCloud cloud_;
+    double jitter_;  ///< in parts of the spacing
+    std::array<Index, 3> counts_{1, 1, 1};
+    Eigen::Vector3d spacing_ = Eigen::Vector3d::Zero();  ///< m
+    double area_ = 1;                                    ///< m^D, of a particle's cross-section
 };
 
 MATPOINT_PLUGIN("lattice", "1.0.0") {

@@ -15,7 +15,7 @@ namespace matpoint {
 namespace {
 
 constexpr std::size_t most_mistakes = 20;
-constexpr int volume_column = 6;
+constexpr std::size_t volume_column = 6;
 constexpr std::array<std::string_view, 7> column_names = {"x", "y", "z", "vx", "vy", "vz", "volume"};
 
 std::string in_quotes(std::string_view text) {
@@ -49,26 +49,26 @@ class Reader {
   public:
     Reader(const std::filesystem::path& file, int dimension) : name_(file.string()), dimension_(dimension) {}
 
-    PointCloud read(std::istream& in) {
+    PointTable read(std::istream& in) {
         std::string text;
         while (std::getline(in, text)) {
             ++line_;
             if (line_ == 1 && text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // byte order mark
             const std::string_view line = trimmed(text);
             if (line.empty() || line.front() == '#') continue;
-            if (columns_.empty()) {
+            if (table_.columns.empty()) {
                 read_header(split(line));
                 if (!mistakes_.empty()) break;  // without names, the rows mean nothing
             } else {
                 read_row(split(line));
             }
         }
-        if (columns_.empty())
+        if (table_.columns.empty())
             mistakes_.push_back(name_ +
                                 ": it is empty; expected a line of column names, such as \"x, y, volume\"");
-        if (mistakes_.empty() && cloud_.points.empty())
+        if (mistakes_.empty() && table_.numbers.empty())
             mistakes_.push_back(name_ + ": it has column names but no points");
-        if (mistakes_.empty()) return std::move(cloud_);
+        if (mistakes_.empty()) return std::move(table_);
         throw std::invalid_argument(report());
     }
 
@@ -89,39 +89,38 @@ class Reader {
     }
 
     void read_header(const std::vector<std::string_view>& names) {
+        std::vector<std::size_t>& columns = table_.columns;
         for (const std::string_view name : names) {
             const auto found = std::find(column_names.begin(), column_names.end(), name);
-            const int column = static_cast<int>(found - column_names.begin());
-            if (found == column_names.end() || !belongs(static_cast<std::size_t>(column)))
+            const auto column = static_cast<std::size_t>(found - column_names.begin());
+            if (found == column_names.end() || !belongs(column))
                 mistake("column " + in_quotes(name) + " is not known in " + std::to_string(dimension_) +
                         "D; expected some of " + known_names());
-            else if (std::find(columns_.begin(), columns_.end(), column) != columns_.end())
+            else if (std::find(columns.begin(), columns.end(), column) != columns.end())
                 mistake("column " + in_quotes(name) + " is there twice");
-            columns_.push_back(column);
+            columns.push_back(column);
         }
-        for (std::size_t c : {0, 1, 2, volume_column})
-            if (belongs(c) &&
-                std::find(columns_.begin(), columns_.end(), static_cast<int>(c)) == columns_.end())
+        for (const std::size_t c : {std::size_t{0}, std::size_t{1}, std::size_t{2}, volume_column})
+            if (belongs(c) && std::find(columns.begin(), columns.end(), c) == columns.end())
                 mistake("column " + in_quotes(column_names[c]) + " is missing");
     }
 
     void read_row(const std::vector<std::string_view>& cells) {
-        if (cells.size() != columns_.size()) {
-            mistake("expected " + std::to_string(columns_.size()) + " values, found " +
+        if (cells.size() != table_.columns.size()) {
+            mistake("expected " + std::to_string(table_.columns.size()) + " values, found " +
                     std::to_string(cells.size()));
             return;
         }
-        std::array<double, column_names.size()> values{};
         for (std::size_t i = 0; i < cells.size(); ++i) {
-            const auto column = static_cast<std::size_t>(columns_[i]);
-            if (!read_number(cells[i], values[column]))
+            const std::size_t column = table_.columns[i];
+            double value = 0;
+            if (!read_number(cells[i], value))
                 mistake("column " + in_quotes(column_names[column]) + ": expected a finite number, found " +
                         in_quotes(cells[i]));
-            else if (column == volume_column && values[column] <= 0)
+            else if (column == volume_column && value <= 0)
                 mistake("column \"volume\": expected a number greater than 0, found " + in_quotes(cells[i]));
+            table_.numbers.push_back(value);
         }
-        cloud_.points.push_back(
-            {{values[0], values[1], values[2]}, values[volume_column], {values[3], values[4], values[5]}});
     }
 
     std::string report() const {
@@ -136,14 +135,20 @@ class Reader {
     std::string name_;
     int dimension_;
     int line_ = 0;
-    std::vector<int> columns_;  ///< for each column of the file, its place in column_names
-    PointCloud cloud_;
+    PointTable table_;  ///< its columns are places in column_names
     std::vector<std::string> mistakes_;
 };
 
 }  // namespace
 
-PointCloud read_point_file(const std::filesystem::path& file, int dimension) {
+PointCloud::Point PointTable::point(Index row) const {
+    std::array<double, column_names.size()> values{};
+    for (std::size_t i = 0; i < columns.size(); ++i)
+        values[columns[i]] = numbers[static_cast<std::size_t>(row) * columns.size() + i];
+    return {{values[0], values[1], values[2]}, values[volume_column], {values[3], values[4], values[5]}};
+}
+
+PointTable read_point_file(const std::filesystem::path& file, int dimension) {
     std::ifstream in(file, std::ios::binary);
     if (!in || std::filesystem::is_directory(file))
         throw std::invalid_argument("cannot read the file " + in_quotes(file.string()));
