@@ -141,7 +141,7 @@ def memory_table(figures):
         f = figures[name]
         required = f["particles"] * f["bytes_per_particle"]
         scene, _, box = name.partition(" ")
-        return [f"`{scene}.json`" + (", a `box` filled evenly" if box else ", a `lattice`, whose list of points is there at the start"),
+        return [f"`{scene}.json`" + (", a `box` filled evenly" if box else ", a `lattice`"),
                 f["bytes_per_particle"], f"{f['peak_memory_bytes'] / f['particles']:.0f}", f"{f['peak_memory_bytes'] / required:.2f}",
                 "yes" if f["peak_memory_bytes"] <= MEMORY_GOAL * required else "no"]
 
