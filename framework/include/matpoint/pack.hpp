@@ -72,9 +72,6 @@ class Pack {
 #if defined(__AVX__)
             if constexpr (bytes == 32) return !_mm256_testz_si256(__m256i(a.bits), __m256i(a.bits));
 #endif
-#if defined(__AVX512VL__)
-            if constexpr (bytes == 64) return _mm512_test_epi64_mask(__m512i(a.bits), __m512i(a.bits)) != 0;
-#endif
             bool found = false;
             for (int i = 0; i < N; ++i) found |= a.bits[i] != 0;
             return found;
@@ -172,10 +169,6 @@ class Pack {
         return Pack(a.v_ < Lanes{} ? -a.v_ : a.v_);
     }
     MATPOINT_INLINE friend Pack sqrt(Pack a) {
-#if defined(__AVX512VL__)
-        if constexpr (bytes == 64 && sizeof(R) == 8)
-            return Pack(Lanes(_mm512_mask_sqrt_pd(__m512d(a.v_), 0xff, __m512d(a.v_))));
-#endif
 #if defined(__AVX__)
         if constexpr (bytes == 32 && sizeof(R) == 8) return Pack(Lanes(_mm256_sqrt_pd(__m256d(a.v_))));
         if constexpr (bytes == 32 && sizeof(R) == 4) return Pack(Lanes(_mm256_sqrt_ps(__m256(a.v_))));
@@ -221,10 +214,6 @@ class Pack {
     }
 
     MATPOINT_INLINE friend Pack multiply_add(Pack a, Pack b, Pack c) {
-#if defined(__AVX512VL__)
-        if constexpr (bytes == 64 && sizeof(R) == 8)
-            return Pack(Lanes(_mm512_fmadd_pd(__m512d(a.v_), __m512d(b.v_), __m512d(c.v_))));
-#endif
 #if defined(__FMA__)
         if constexpr (bytes == 32 && sizeof(R) == 8)
             return Pack(Lanes(_mm256_fmadd_pd(__m256d(a.v_), __m256d(b.v_), __m256d(c.v_))));

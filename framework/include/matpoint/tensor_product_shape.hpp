@@ -20,8 +20,7 @@ namespace matpoint {
 ///
 /// T is a number, or a Pack of them. A particle within the grid must stay within one node of it: base >= -1
 /// and base + width <= cells + 2. Weights are recomputed whenever they are needed, which is cheaper than to
-/// load them. The loops treat runs of particles with the same stencil, one particle a lane; nodes are read,
-/// summed over lanes and written once a run.
+/// load them. docs/hot_loops.md explains the loops.
 template <class S, class Kernel>
 class TensorProductShape : public ShapeFunction<S> {
   public:
