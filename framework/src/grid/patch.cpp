@@ -76,12 +76,13 @@ typename Patch<S>::Coordinates Patch<S>::node_coordinates(int index) const {
 template <class S>
 void Patch<S>::clear(NodeField field) {
     constexpr Index chunk = 8192;
-    for (int c = 0; c < components(field); ++c) {
-        Real* const values = column(field, c);
-        parallel_for((node_count() + chunk - 1) / chunk, node_count(), [&](Index k) {
+    const Index items = components(field) * static_cast<Index>(existing_.size());
+    parallel_for((node_count() + chunk - 1) / chunk, items, [&](Index k) {
+        for (int c = 0; c < components(field); ++c) {
+            Real* const values = column(field, c);
             std::fill(values + k * chunk, values + std::min(node_count(), (k + 1) * chunk), Real(0));
-        });
-    }
+        }
+    });
 }
 
 template <class S>

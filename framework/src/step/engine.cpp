@@ -75,6 +75,15 @@ Index Engine<S>::node_tasks() const {
 }
 
 template <class S>
+template <class Body>
+void Engine<S>::for_nodes(const Body& body) const {
+    const auto blocks = static_cast<Index>(patch_.existing_blocks().size());
+    parallel_for(node_tasks(), S::dimension * blocks, [&](Index k) {
+        body(k, k * nodes_per_task, std::min(patch_.node_count(), (k + 1) * nodes_per_task));
+    });
+}
+
+template <class S>
 int Engine<S>::affine_slot(const Particles<S>& particles, NodeField momentum) const {
     const auto field = components_.transfer->affine();
     // L is a step older than the velocity that is projected anew: only what came with it extends it.
@@ -155,14 +164,12 @@ void Engine<S>::finish_velocity(NodeField field, double time) {
     // back: cutting it off would strain a body that flies freely.
     const Real* mass = patch_.column(NodeField::mass);
     const Real smallest = std::numeric_limits<Real>::min();
-    for (int c = 0; c < S::dimension; ++c) {
-        Real* v = patch_.column(field, c);
-        parallel_for(node_tasks(), patch_.node_count(), [&](Index k) {
-            const Index end = std::min(patch_.node_count(), (k + 1) * nodes_per_task);
-            for (Index i = k * nodes_per_task; i < end; ++i)
-                v[i] = mass[i] > smallest ? v[i] / mass[i] : Real(0);
-        });
-    }
+    for_nodes([&](Index, Index begin, Index end) {
+        for (int c = 0; c < S::dimension; ++c) {
+            Real* v = patch_.column(field, c);
+            for (Index i = begin; i < end; ++i) v[i] = mass[i] > smallest ? v[i] / mass[i] : Real(0);
+        }
+    });
     walls_.constrain(patch_, field, time);
     walls_.fill_velocity(patch_, field, time);
 }
@@ -174,20 +181,19 @@ void Engine<S>::accelerate(Real dt, Real factor) {
     const Real* mass = patch_.column(NodeField::mass);
     const Real cutoff = static_cast<Real>(mass_cutoff * largest_mass_);
 
-    for (int c = 0; c < S::dimension; ++c) {
-        Real* f = patch_.column(NodeField::force, c);
-        Real* a = patch_.column(NodeField::acceleration, c);
-        Real* v = patch_.column(NodeField::velocity, c);
-        const Real* external = loaded ? patch_.column(NodeField::external_force, c) : nullptr;
-        parallel_for(node_tasks(), patch_.node_count(), [&](Index k) {
-            const Index end = std::min(patch_.node_count(), (k + 1) * nodes_per_task);
-            for (Index i = k * nodes_per_task; i < end; ++i) {
+    for_nodes([&](Index, Index begin, Index end) {
+        for (int c = 0; c < S::dimension; ++c) {
+            Real* f = patch_.column(NodeField::force, c);
+            Real* a = patch_.column(NodeField::acceleration, c);
+            Real* v = patch_.column(NodeField::velocity, c);
+            const Real* external = loaded ? patch_.column(NodeField::external_force, c) : nullptr;
+            for (Index i = begin; i < end; ++i) {
                 f[i] = factor * (external ? f[i] + external[i] : f[i]);
                 a[i] = mass[i] > cutoff ? f[i] / mass[i] : Real(0);
                 v[i] += a[i] * dt;
             }
-        });
-    }
+        }
+    });
     walls_.constrain_acceleration(patch_, velocity_from_, velocity_to_, dt_);
     walls_.constrain(patch_, NodeField::velocity, velocity_to_);
     walls_.fill_acceleration(patch_, velocity_from_, velocity_to_, dt_);
@@ -200,21 +206,20 @@ template <class S>
 void Engine<S>::add_load_work(Real dt, Real factor) {
     // Folding is the transpose of filling, so the nodes within see all of the loads' work.
     node_sums_.assign(static_cast<std::size_t>(node_tasks()), 0.0);
-    for (int c = 0; c < S::dimension; ++c) {
-        const Real* a = patch_.column(NodeField::acceleration, c);
-        const Real* v = patch_.column(NodeField::velocity, c);
-        const Real* external = patch_.column(NodeField::external_force, c);
-        parallel_for(node_tasks(), patch_.node_count(), [&](Index k) {
-            const Index end = std::min(patch_.node_count(), (k + 1) * nodes_per_task);
+    for_nodes([&](Index task, Index begin, Index end) {
+        for (int c = 0; c < S::dimension; ++c) {
+            const Real* a = patch_.column(NodeField::acceleration, c);
+            const Real* v = patch_.column(NodeField::velocity, c);
+            const Real* external = patch_.column(NodeField::external_force, c);
             double sum = 0;
-            for (Index i = k * nodes_per_task; i < end; ++i)
+            for (Index i = begin; i < end; ++i)
                 if (inside_[static_cast<std::size_t>(i)])
                     sum += static_cast<double>(external[i] * (v[i] - a[i] * dt / 2));
-            node_sums_[static_cast<std::size_t>(k)] += sum;
-        });
-        tally_.impulse[static_cast<std::size_t>(c)] +=
-            static_cast<double>(factor) * load_force_[static_cast<std::size_t>(c)] * dt_;
-    }
+            node_sums_[static_cast<std::size_t>(task)] += sum;
+        }
+    });
+    for (std::size_t c = 0; c < S::dimension; ++c)
+        tally_.impulse[c] += static_cast<double>(factor) * load_force_[c] * dt_;
     for (const double sum : node_sums_) tally_.external_work += static_cast<double>(factor) * sum * dt_;
 }
 

@@ -123,6 +123,9 @@ class Engine final : public Phases<S> {
     void add_load_work(Real dt, Real factor);
     void add_reactions(NodeField source, NodeField value, double share, double time);
     Index node_tasks() const;
+    /// body(task, begin, end) of each task over nodes [begin, end).
+    template <class Body>
+    void for_nodes(const Body& body) const;
     void collect(typename Phases<S>::Update what);
 
     Components<S> components_;
