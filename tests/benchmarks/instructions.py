@@ -3,37 +3,25 @@
 
 usage: instructions.py MATPOINT COMPILER [--record]    (COMPILER: "GNU 12.2.0"; --record writes the record anew)
 
-A count is the difference of two runs that differ by ten steps. It is the same on a busy machine, and fails when it has grown by
-more than 5 %. Counts of another compiler or instruction set can't be compared: then the status is 77, which CTest shows as skipped.
+Fails when a count has grown by more than 5 %. Counts of another compiler or instruction set can't be compared: then the status is 77,
+which CTest shows as skipped.
 """
 import json
-import re
 import sys
-import tempfile
 from pathlib import Path
 
-from runs import arguments, block_of, call
+from callgrind import instructions_per_step
 
 RECORD = Path(__file__).with_name("instructions.json")
 SCENES = {"linear": "block_linear", "gimp": "block_gimp_contiguous", "quadratic": "block_quadratic", "cubic": "block_cubic"}
-COUNTS, STEPS, FIRST = 17, 10, 2
 GROWTH = 1.05
-
-
-def instructions(program, scene, steps):
-    with tempfile.TemporaryDirectory() as folder:
-        run = arguments(scene, block_of(COUNTS) | {"/time/max_steps": steps}, 1, folder)
-        said = call(["valgrind", "--tool=callgrind", f"--callgrind-out-file={folder}/counts", program, *run]).stderr
-        summary = json.loads((Path(folder) / "summary.json").read_text())
-    return int(re.search(r"Collected : (\d+)", said)[1]), summary
 
 
 def measure(program, compiler):
     counts = {}
     for name, scene in SCENES.items():
-        few, _ = instructions(program, scene, FIRST)
-        many, summary = instructions(program, scene, FIRST + STEPS)
-        counts[name] = round((many - few) / (STEPS * summary["particles"]), 1)
+        count, summary = instructions_per_step(program, scene)
+        counts[name] = round(count, 1)
     return {"compiler": compiler, "instruction_set": summary.get("instruction_set", "unknown"),
             "particles": summary["particles"], "instructions_per_particle_step": counts}
 

@@ -2,7 +2,7 @@
 import re
 
 from growth_plot import growth_plot
-from runs import ROOT
+from runs import ROOT, UNEVEN
 
 PAGE = ROOT / "framework/docs/how_fast.md"
 PICTURE = ROOT / "framework/docs/how_fast/growth.svg"
@@ -58,12 +58,16 @@ def goal_table(figures):
 
 
 def threads_table(figures):
-    def row(shape, precision):
-        one, two = (figures[f"{shape} {precision} {n}"]["nanoseconds"] for n in (1, 2))
-        return [f"{shape}, {precision}", f"{one:.1f}", f"{two:.1f}", f"{one / two:.2f}", "yes" if one / two >= TWO_CORES_GOAL else "no"]
+    def row(name, key, goal):
+        one, two = (figures[f"{key} {n}"] for n in (1, 2))
+        faster = one["nanoseconds"] / two["nanoseconds"]
+        # Not slower: the ranges of both overlap.
+        reached = faster >= goal if goal > 1 else two["range"][0] <= one["range"][1]
+        return [name, nanoseconds(one), nanoseconds(two), f"{faster:.2f}", goal, "yes" if reached else "no"]
 
-    return rows(["", "one thread, ns", "two threads, ns", "times faster", f"goal: {TWO_CORES_GOAL}"],
-                *(row(shape, precision) for precision in GOALS for shape in SHAPES))
+    return rows(["", "one thread, ns", "two threads, ns", "times faster", "goal", "reached"],
+                *(row(f"{shape}, {precision}", f"{shape} {precision}", TWO_CORES_GOAL) for precision in GOALS for shape in SHAPES),
+                *(row(f"`{name}.json`", name, goal) for name, goal in UNEVEN.items()))
 
 
 def times_longer(ratio):
@@ -136,6 +140,23 @@ def options_table(figures):
                   for name, f in figures.items() if name.startswith("option ")))
 
 
+OWN_PLUGINS = {
+    "built-in": "`bspline` and `neo_hookean`, built-in",
+    "spline": "[`user_spline`](../../tests/benchmarks/user_plugins/user_spline.cpp), a shape function of a few lines",
+    "plain": "[`plain_rubber`](../../tests/benchmarks/user_plugins/plain_rubber.cpp), a material that is a plain function of one particle",
+    "by hand": "[`lanes_rubber`](../../tests/benchmarks/user_plugins/lanes_rubber.cpp), a material tuned by hand, for 3D alone",
+    "scalar": "[`scalar_rubber`](../../tests/benchmarks/user_plugins/scalar_rubber.cpp), a material that loops over particles, without Packs",
+    "idle": "[`idle_rubber`](../../tests/benchmarks/user_plugins/idle_rubber.cpp), a material without stress: what a step takes beside it",
+}
+
+
+def own_plugins_table(figures):
+    built_in = figures["own built-in"]["nanoseconds"]
+    return rows(["`block_quadratic.json` with", "ns per particle and step", "all rounds", "times the built-in's"],
+                *([text, nanoseconds(figures[f"own {name}"]), span(figures[f"own {name}"]),
+                   f"{figures[f'own {name}']['nanoseconds'] / built_in:.2f}"] for name, text in OWN_PLUGINS.items()))
+
+
 def memory_table(figures):
     def row(name):
         f = figures[name]
@@ -156,9 +177,9 @@ def machine_line(machine):
 def tables(results):
     figures = results["figures"]
     return {"machine": machine_line(results["machine"]), "goal table": goal_table(figures), "threads": threads_table(figures),
-            "peers": peers_table(figures), "phases": phases_table(figures), "scenes": scenes_table(figures),
-            "options": options_table(figures), "memory": memory_table(figures), "growth": growth_table(figures),
-            "domain": domain_table(figures)}
+            "own plugins": own_plugins_table(figures), "peers": peers_table(figures), "phases": phases_table(figures),
+            "scenes": scenes_table(figures), "options": options_table(figures), "memory": memory_table(figures),
+            "growth": growth_table(figures), "domain": domain_table(figures)}
 
 
 def filled(contents):
