@@ -10,9 +10,10 @@ struct Quadratic {
     static constexpr int width = 3;
     static constexpr bool sized = false;
 
-    template <class Real>
-    static int base(Real xi) {
-        return static_cast<int>(std::floor(xi - Real(0.5)));
+    template <class T>
+    static T base(T xi) {
+        using std::floor;
+        return floor(xi - T(0.5));
     }
 
     /// d: distance from the middle node, the nearest one, in cells.
