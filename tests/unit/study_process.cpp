@@ -12,6 +12,7 @@
 #include <iterator>
 #include <map>
 #include <system_error>
+#include <utility>
 
 namespace {
 
@@ -78,11 +79,9 @@ TEST_F(Processes, AreKilledByASignal) {
 }
 
 TEST_F(Processes, AProgramThatIsNotThere) {
+    std::optional<Job> job = Job{0, {"/no/such/program"}, log(0)};
     EXPECT_THROW(run_side_by_side({.most = 1,
-                                   .next =
-                                       [&] {
-                                           return Job{0, {"/no/such/program"}, log(0)};
-                                       },
+                                   .next = [&] { return std::exchange(job, {}); },
                                    .ended = [](std::size_t, ProcessEnd) {},
                                    .waiting = [](int) {}}),
                  std::system_error);
