@@ -101,13 +101,16 @@ TYPED_TEST(PackTest, transpose_exchanges_lanes_and_packs) {
         for (int i = 0; i < n; ++i) EXPECT_EQ(packs[static_cast<std::size_t>(k)][i], 10 * i + k);
 }
 
-TYPED_TEST(PackTest, head_and_loads) {
+TYPED_TEST(PackTest, head_and_stores) {
     using P = TypeParam;
+    const P a = head(P(7.75), 1, P(-100.5));
     std::array<int, P::lanes> integers;
-    for (int i = 0; i < P::lanes; ++i) integers[static_cast<std::size_t>(i)] = 7 - 3 * i;
-    const P a = head(P::load(integers.data()), 1, P(100));
-    EXPECT_EQ(a[0], 7);
-    for (int i = 1; i < P::lanes; ++i) EXPECT_EQ(a[i], 100);
+    a.store(integers.data());
+    EXPECT_EQ(integers[0], 7);
+    for (int i = 1; i < P::lanes; ++i) {
+        EXPECT_EQ(a[i], typename P::Real(-100.5));
+        EXPECT_EQ(integers[static_cast<std::size_t>(i)], -100);
+    }
     EXPECT_EQ(P(0.1).template as<double>()[P::lanes - 1], static_cast<double>(typename P::Real(0.1)));
 }
 

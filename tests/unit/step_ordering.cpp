@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <vector>
+
 namespace matpoint {
 namespace {
 
@@ -62,6 +65,44 @@ TEST(ordering, takes_the_grids_blocks_only_when_it_sorts) {
     bodies[0].column(Field::position, 0)[0] += 1;
     ASSERT_FALSE(ordering.update(patch, bodies, Corners()));
     EXPECT_EQ(patch.existing_blocks(), std::vector({0, 7}));
+}
+
+/// 64 particles of one block, numbered by their masses, in the cells given by x.
+std::vector<double> order_after_moving(const std::vector<double>& x) {
+    Patch<S> patch({0, 0, 0}, {1, 1, 1}, {32, 32});
+    std::vector<Particles<S>> bodies;
+    bodies.emplace_back("block");
+    const auto count = static_cast<Index>(x.size());
+    bodies[0].resize(count);
+    for (Index p = 0; p < count; ++p) {
+        bodies[0].column(Field::position, 0)[p] = bodies[0].column(Field::position, 1)[p] = 3.5;
+        bodies[0].column(Field::mass)[p] = static_cast<double>(p);
+    }
+    Ordering<S> ordering(1);
+    EXPECT_TRUE(ordering.update(patch, bodies, Corners()));
+    std::copy(x.begin(), x.end(), bodies[0].column(Field::position, 0));
+    EXPECT_FALSE(ordering.update(patch, bodies, Corners()));
+    for (Index p = 0; p < count; ++p)
+        EXPECT_EQ(bodies[0].column(Field::position, 0)[p],
+                  x[static_cast<std::size_t>(bodies[0].column(Field::mass)[p])]);
+    return {bodies[0].column(Field::mass), bodies[0].column(Field::mass) + count};
+}
+
+TEST(ordering, sorts_a_blocks_particles_by_cell_when_they_have_become_mixed) {
+    std::vector<double> x, expected;
+    for (int p = 0; p < 64; ++p) x.push_back(p % 2 == 0 ? 4.5 : 3.5);
+    for (int p = 1; p < 64; p += 2) expected.push_back(p);
+    for (int p = 0; p < 64; p += 2) expected.push_back(p);
+    EXPECT_EQ(order_after_moving(x), expected);
+}
+
+TEST(ordering, leaves_a_block_in_peace_whose_particles_mostly_share_cells_with_their_neighbours) {
+    std::vector<double> x, expected;
+    for (int p = 0; p < 64; ++p) {
+        x.push_back(p < 32 ? 4.5 : 3.5);  // two runs, two cells, in the wrong order
+        expected.push_back(p);
+    }
+    EXPECT_EQ(order_after_moving(x), expected);
 }
 
 }  // namespace

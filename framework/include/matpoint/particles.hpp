@@ -95,6 +95,9 @@ class Particles {
     void resize(Index n);
     /// Puts particle order[k] at place k. `order` may be shorter than size(): the rest is dropped.
     void permute(std::span<const std::uint32_t> order);
+    /// The same for particles from `begin` on among themselves: puts begin + order[k] at place begin + k.
+    /// Threads may do so at once with particles of their own.
+    void permute(Index begin, std::span<const std::uint32_t> order);
     std::size_t bytes_per_particle() const;
 
   private:

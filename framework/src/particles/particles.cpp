@@ -145,6 +145,21 @@ void Particles<S>::permute(std::span<const std::uint32_t> order) {
 }
 
 template <class S>
+void Particles<S>::permute(Index begin, std::span<const std::uint32_t> order) {
+    const auto permute_column = [&]<class T>(T* column, std::vector<T>& old) {
+        old.assign(column, column + order.size());
+        for (std::size_t k = 0; k < order.size(); ++k) column[k] = old[order[k]];
+    };
+    thread_local std::vector<Real> numbers;
+    for (std::size_t c = 0; c < static_cast<std::size_t>(columns_.count()); ++c)
+        permute_column(columns_[c] + begin, numbers);
+    if (has_ids_) {
+        thread_local std::vector<std::uint32_t> ids;
+        permute_column(ids_.data() + begin, ids);
+    }
+}
+
+template <class S>
 std::size_t Particles<S>::bytes_per_particle() const {
     return static_cast<std::size_t>(column_count()) * sizeof(Real) + (has_ids_ ? sizeof(std::uint32_t) : 0);
 }

@@ -30,11 +30,12 @@ class NeoHookean final : public PointwiseMaterial<S, NeoHookean<S>> {
     auto update(const Point& p, Real) const {
         const State<typename Point::Number> state(p.deformation_gradient());
         p.set_stress(stress(state));
-        return squared_wave_speed(state, p.density());
+        return squared_wave_speed(state) * p.volume() / p.mass();
     }
     template <class Point>
     auto squared_wave_speed(const Point& p) const {
-        return squared_wave_speed(State<typename Point::Number>(p.deformation_gradient()), p.density());
+        return squared_wave_speed(State<typename Point::Number>(p.deformation_gradient())) * p.volume() /
+               p.mass();
     }
 
     std::optional<double> stored_energy(const Batch& batch, Index p) const override {
@@ -49,25 +50,25 @@ class NeoHookean final : public PointwiseMaterial<S, NeoHookean<S>> {
     template <class T>
     struct State {
         explicit State(const Tensor<S, T>& deformation_gradient)
-            : f(deformation_gradient), j(determinant(f)), log_j(log(j)) {}
+            : f(deformation_gradient), j(determinant(f)), inverse_j(T(1) / j), log_j(log(j)) {}
         Tensor<S, T> f;
-        T j, log_j;
+        T j, inverse_j, log_j;
     };
 
     /// Cauchy stress [Wallstedt & Guilkey 2008, eq. 55]; eq. 28 in a bar.
     template <class T>
     Tensor<S, T> stress(const State<T>& state) const {
         const auto one = Tensor<S, T>::identity();
-        return (lame_.lambda * state.log_j / state.j) * one +
-               (lame_.mu / state.j) * (state.f * transpose(state.f) - one);
+        return (lame_.lambda * state.log_j * state.inverse_j) * one +
+               (lame_.mu * state.inverse_j) * (state.f * transpose(state.f) - one);
     }
 
-    /// From an upper bound of J times the eigenvalues of the acoustic tensor of any direction, Pa (README).
+    /// Times density, Pa: an upper bound of the eigenvalues of the acoustic tensor of any direction (README).
     template <class T>
-    T squared_wave_speed(const State<T>& state, T density) const {
+    MATPOINT_INLINE T squared_wave_speed(const State<T>& state) const {
         const T volumetric = lame_.lambda * (T(1) - state.log_j) + lame_.mu;
         const T stiffness = max(T(0), volumetric) + lame_.mu * largest_squared_stretch(state.f);
-        return stiffness / (state.j * density);
+        return stiffness * state.inverse_j;
     }
 
     Lame<S> lame_;
