@@ -12,11 +12,13 @@ namespace matpoint {
 ///
 ///     template <class S>
 ///     class Law final : public PointwiseMaterial<S, Law<S>> {
-///         template <class Point> auto squared_wave_speed(const Point& p) const;  // m^2/s^2
-///         template <class Point> auto update(const Point& p, Real dt) const;  // sets the stress; returns
-///         the same
+///         template <class Point>
+///         MATPOINT_INLINE auto squared_wave_speed(const Point& p) const;  // m^2/s^2
+///         template <class Point>
+///         MATPOINT_INLINE auto update(const Point& p, Real dt) const;  // sets the stress; returns the same
 ///     };
 ///
+/// What `update` shares with `squared_wave_speed` is computed once if that is called before set_stress.
 /// Both are plain arithmetic on p.deformation_gradient(), p.stress() … and typename Point::Number; instead of
 /// `if`, `select(condition, a, b)`.
 template <class S, class Law>

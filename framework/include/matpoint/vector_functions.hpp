@@ -6,19 +6,19 @@
 #include <immintrin.h>
 
 extern "C" {
-__m128d _ZGVbN2v_log(__m128d);
-__m128d _ZGVbN2v_exp(__m128d);
-__m128d _ZGVbN2vv_pow(__m128d, __m128d);
-__m128 _ZGVbN4v_logf(__m128);
-__m128 _ZGVbN4v_expf(__m128);
-__m128 _ZGVbN4vv_powf(__m128, __m128);
+[[gnu::const]] __m128d _ZGVbN2v_log(__m128d);
+[[gnu::const]] __m128d _ZGVbN2v_exp(__m128d);
+[[gnu::const]] __m128d _ZGVbN2vv_pow(__m128d, __m128d);
+[[gnu::const]] __m128 _ZGVbN4v_logf(__m128);
+[[gnu::const]] __m128 _ZGVbN4v_expf(__m128);
+[[gnu::const]] __m128 _ZGVbN4vv_powf(__m128, __m128);
 #if defined(__AVX2__)
-__m256d _ZGVdN4v_log(__m256d);
-__m256d _ZGVdN4v_exp(__m256d);
-__m256d _ZGVdN4vv_pow(__m256d, __m256d);
-__m256 _ZGVdN8v_logf(__m256);
-__m256 _ZGVdN8v_expf(__m256);
-__m256 _ZGVdN8vv_powf(__m256, __m256);
+[[gnu::const]] __m256d _ZGVdN4v_log(__m256d);
+[[gnu::const]] __m256d _ZGVdN4v_exp(__m256d);
+[[gnu::const]] __m256d _ZGVdN4vv_pow(__m256d, __m256d);
+[[gnu::const]] __m256 _ZGVdN8v_logf(__m256);
+[[gnu::const]] __m256 _ZGVdN8v_expf(__m256);
+[[gnu::const]] __m256 _ZGVdN8vv_powf(__m256, __m256);
 #endif
 }
 #endif

@@ -27,13 +27,13 @@ class NeoHookean final : public PointwiseMaterial<S, NeoHookean<S>> {
     bool uses_deformation_gradient() const override { return true; }
 
     template <class Point>
-    auto update(const Point& p, Real) const {
+    MATPOINT_INLINE auto update(const Point& p, Real) const {
         const State<typename Point::Number> state(p.deformation_gradient());
         p.set_stress(stress(state));
         return squared_wave_speed(state) * p.volume() / p.mass();
     }
     template <class Point>
-    auto squared_wave_speed(const Point& p) const {
+    MATPOINT_INLINE auto squared_wave_speed(const Point& p) const {
         return squared_wave_speed(State<typename Point::Number>(p.deformation_gradient())) * p.volume() /
                p.mass();
     }

@@ -21,16 +21,17 @@ class PlainRubber final : public PointwiseMaterial<Space, PlainRubber<Space>> {
     bool uses_deformation_gradient() const override { return true; }
 
     template <class Point>
-    auto update(const Point& p, Real) const {
+    MATPOINT_INLINE auto update(const Point& p, Real) const {
         const auto F = p.deformation_gradient();
         const auto I = Tensor<Space, typename Point::Number>::identity();
         const auto J = determinant(F);
+        const auto speed = squared_wave_speed(p);
         p.set_stress(lame_.lambda * log(J) / J * I + lame_.mu / J * (F * transpose(F) - I));
-        return squared_wave_speed(p);
+        return speed;
     }
 
     template <class Point>
-    auto squared_wave_speed(const Point& p) const {
+    MATPOINT_INLINE auto squared_wave_speed(const Point& p) const {
         const auto F = p.deformation_gradient();
         const auto J = determinant(F);
         const auto volumetric = lame_.lambda * (1 - log(J)) + lame_.mu;

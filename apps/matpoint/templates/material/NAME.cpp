@@ -26,16 +26,17 @@ class {{Name}} final : public PointwiseMaterial<Space, {{Name}}<Space>> {
           gamma_(Real(parameters.number("exponent"))) {}
 
     template <class Point>
-    auto update(const Point& p, Real) const {
+    MATPOINT_INLINE auto update(const Point& p, Real) const {
+        const auto speed = squared_wave_speed(p);  // first: what it shares with the stress is computed once then
         const auto J = rho0_ / p.density();
         const auto pressure = K_ / gamma_ * (pow(J, -gamma_) - 1);  // Pa
         p.set_stress(-pressure * Tensor<Space, typename Point::Number>::identity());
-        return squared_wave_speed(p);
+        return speed;
     }
 
     /// c^2 = dp/drho = K/rho0 J^(1 - gamma)
     template <class Point>
-    auto squared_wave_speed(const Point& p) const {
+    MATPOINT_INLINE auto squared_wave_speed(const Point& p) const {
         return K_ / rho0_ * pow(rho0_ / p.density(), 1 - gamma_);
     }
 
