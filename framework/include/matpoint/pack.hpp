@@ -17,7 +17,11 @@
 #define MATPOINT_INLINE [[gnu::always_inline]] inline
 /// For a loop over particles: whatever it calls becomes part of it, however often and wherever that is
 /// called.
+#if defined(__SANITIZE_ADDRESS__)  // such loops would take minutes to compile
+#define MATPOINT_FLATTEN
+#else
 #define MATPOINT_FLATTEN [[gnu::flatten]]
+#endif
 
 namespace matpoint {
 
