@@ -106,6 +106,16 @@ TEST_F(Health, NotFiniteIsTold) {
     EXPECT_NE(result.reason.find("finite"), std::string::npos) << result.reason;
 }
 
+TEST_F(Health, NotFiniteIsToldOfAParticleThatIsNot) {
+    Json scene = falling_block();
+    scene["loads"] = {{{"type", "body_force"}, {"acceleration", {"x > 0.7 ? 1/0 : 0", 0}}}};
+    const RunResult result = run(scene);
+    EXPECT_EQ(result.status, RunStatus::broke_down);
+    const std::size_t place = result.reason.find("at (");
+    ASSERT_NE(place, std::string::npos) << result.reason;
+    EXPECT_GT(std::stod(result.reason.substr(place + 4)), 0.625) << result.reason;  // a cell off at most
+}
+
 TEST_F(Health, WarningsGoOnAndAreKept) {
     Json scene = falling_block();
     scene["loads"] = Json::array();

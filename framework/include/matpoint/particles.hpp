@@ -4,6 +4,7 @@
 #include <matpoint/space.hpp>
 #include <matpoint/tensor.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -41,6 +42,11 @@ struct StateVariable {
     std::string name;  ///< for outputs, "plastic_strain"
     double initial = 0;
     std::string unit{};
+};
+
+/// A particle and its new place, which another one leaves.
+struct Exchange {
+    std::uint32_t from, to;
 };
 
 /// The particles of one body: a column of numbers per component of every field that somebody asked
@@ -95,9 +101,9 @@ class Particles {
     void resize(Index n);
     /// Puts particle order[k] at place k. `order` may be shorter than size(): the rest is dropped.
     void permute(std::span<const std::uint32_t> order);
-    /// The same for particles from `begin` on among themselves: puts begin + order[k] at place begin + k.
-    /// Threads may do so at once with particles of their own.
-    void permute(Index begin, std::span<const std::uint32_t> order);
+    /// Puts particles in each other's places, which are counted from `begin` on. Threads may do so at once
+    /// with particles of their own.
+    void exchange(Index begin, std::span<const Exchange> exchanges);
     std::size_t bytes_per_particle() const;
 
   private:
@@ -123,6 +129,8 @@ class Particles {
 
 /// Most particles in a batch: its columns stay in the first-level cache.
 inline constexpr int batch_size = 64;
+/// Batches hold a multiple of these, if no fewer are left: whole Packs of any width.
+inline constexpr int batch_multiple = 8;
 
 /// What was read from the nodes for the particles of one batch; [component][particle of the batch].
 template <class S>
@@ -135,6 +143,14 @@ struct Gathered {
     Columns<S::dimension> acceleration;              ///< sum S a, m/s^2
     Columns<S::deformation_size> velocity_gradient;  ///< sum v (x) grad S, by column, then v_r / r; 1/s
     Columns<S::dimension * S::dimension> affine;     ///< sum S v (x) (x_i - x_p) D^-1, by column; 1/s
+
+    /// Moves what was read for the particles from `place` on, fewer than batch_multiple, to the front.
+    void keep_from(int place) {
+        const auto keep = [&](auto& columns) {
+            for (auto& column : columns) std::copy_n(column.begin() + place, batch_multiple, column.begin());
+        };
+        keep(velocity), keep(acceleration), keep(velocity_gradient), keep(affine);
+    }
 };
 
 /// Consecutive particles of one body, handed to a component in one virtual call.

@@ -178,6 +178,12 @@ struct StencilLoops {
 
     // --- Nodes to particles ---------------------------------------------------------------------
 
+    /// Copies the numbers of nodes in a row, a multiple of four.
+    static void copy_row(const Real* from, int count, Real* to) {
+        using Nodes = Pack<Real, 4>;
+        for (int i = 0; i < count; i += 4) Nodes::load(from + i).store(to + i);
+    }
+
     /// Weights of particles with one stencil, and their products over all axes but the first; slopes as
     /// above.
     struct Reader {

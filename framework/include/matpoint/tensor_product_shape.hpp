@@ -359,7 +359,7 @@ class TensorProductShape : public ShapeFunction<S> {
                 for (int c = 0; c < D; ++c) from[c] = patch.column(field, c);
                 tile.visit_rows([&](int place, Index start) {
                     for (int c = 0; c < D; ++c)
-                        std::copy_n(from[c] + start, row_length, to + c * Tile<S>::nodes + place);
+                        Loops::copy_row(from[c] + start, row_length, to + c * Tile<S>::nodes + place);
                 });
                 return to;
             };
@@ -376,21 +376,22 @@ class TensorProductShape : public ShapeFunction<S> {
         const Copies nodes(patch, tile, what);
         Gathered<S> gathered;
         const Locator locator(patch, tile);
-        std::array<int, batch_size> places;
+        std::array<int, batch_size + Lanes::lanes> places;
         std::array<std::array<Real, batch_size + Lanes::lanes>, D> offsets;  // in cells from there
+        int ready = 0;  // particles from p on that are gathered already
         for (Index p = begin; p < last;) {
             const int count = static_cast<int>(std::min<Index>(batch_size, last - p));
-            for (int i = 0; i < count; i += Lanes::lanes) {
+            for (int i = ready; i < count; i += Lanes::lanes) {
                 LaneVector s;
                 locator.locate(particles, slice_of(p + i, count - i, end), places.data() + i, s);
                 for (int a = 0; a < D; ++a) s[a].store(offsets[a].data() + i);
             }
-            int first = 0;
+            int first = ready;
             while (first < count) {
                 int next = first + 1;
                 while (next < count && places[next] == places[first]) ++next;
                 // More of them may lie beyond the batch: the next one has them all.
-                if (next == count && first > 0 && p + count < last) break;
+                if (next == count && first > ready && p + count < last) break;
                 for (int i = first; i < next; i += Lanes::lanes) {
                     LaneVector s;
                     for (int a = 0; a < D; ++a) s[a] = Lanes::load(offsets[a].data() + i);
@@ -399,8 +400,13 @@ class TensorProductShape : public ShapeFunction<S> {
                 }
                 first = next;
             }
-            sink.receive(p, first, gathered);
-            p += first;
+            const int whole = p + first < last ? first - first % batch_multiple : first;
+            ready = first - whole;
+            if (whole > 0) {
+                sink.receive(p, whole, gathered);
+                if (ready > 0) gathered.keep_from(whole);
+                p += whole;
+            }
         }
     }
 

@@ -145,17 +145,18 @@ void Particles<S>::permute(std::span<const std::uint32_t> order) {
 }
 
 template <class S>
-void Particles<S>::permute(Index begin, std::span<const std::uint32_t> order) {
-    const auto permute_column = [&]<class T>(T* column, std::vector<T>& old) {
-        old.assign(column, column + order.size());
-        for (std::size_t k = 0; k < order.size(); ++k) column[k] = old[order[k]];
+void Particles<S>::exchange(Index begin, std::span<const Exchange> exchanges) {
+    const auto exchange_in = [&]<class T>(T* column, std::vector<T>& old) {
+        old.resize(exchanges.size());
+        for (std::size_t k = 0; k < exchanges.size(); ++k) old[k] = column[exchanges[k].from];
+        for (std::size_t k = 0; k < exchanges.size(); ++k) column[exchanges[k].to] = old[k];
     };
     thread_local std::vector<Real> numbers;
     for (std::size_t c = 0; c < static_cast<std::size_t>(columns_.count()); ++c)
-        permute_column(columns_[c] + begin, numbers);
+        exchange_in(columns_[c] + begin, numbers);
     if (has_ids_) {
         thread_local std::vector<std::uint32_t> ids;
-        permute_column(ids_.data() + begin, ids);
+        exchange_in(ids_.data() + begin, ids);
     }
 }
 

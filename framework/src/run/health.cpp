@@ -58,7 +58,7 @@ std::string describe_fault(const Moment& moment, const Particles<S>& particles, 
                    "long or the load crushes the material.",
                    fault.volume_ratio) +
                step;
-    return who + " or one of its batch has a velocity or stress that is not finite." + step;
+    return who + " has a velocity, stress or wave speed that is not finite." + step;
 }
 
 std::string describe_standstill(const Moment& moment) {

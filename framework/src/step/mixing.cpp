@@ -69,6 +69,25 @@ bool mixed(const BlockCells<S>& block, const BlockRange& range) {
     return runs > most_runs_per_cell * static_cast<double>(present.count());
 }
 
+/// What puts particles of one cell together, and cells in ascending order. Those that are in their cell's
+/// part already stay: a few of them have changed cells since the last time.
+const std::vector<Exchange>& exchanges(const std::vector<unsigned char>& cells, int count) {
+    std::array<std::uint32_t, 257> begin{};
+    for (const unsigned char cell : cells) ++begin[cell + 1U];
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    auto next = begin;  // places of a cell from here on may hold particles of others
+    thread_local std::vector<Exchange> moves;
+    moves.clear();
+    for (std::size_t cell = 0; cell < static_cast<std::size_t>(count); ++cell)
+        for (std::uint32_t p = begin[cell]; p < begin[cell + 1]; ++p) {
+            const unsigned char own = cells[p];
+            if (own == cell) continue;
+            while (cells[next[own]] == own) ++next[own];
+            moves.push_back({p, next[own]++});
+        }
+    return moves;
+}
+
 }  // namespace
 
 template <class S>
@@ -79,15 +98,9 @@ void sort_if_mixed(const Patch<S>& patch, Particles<S>& particles, const BlockRa
 
     const auto count = static_cast<std::size_t>(range.end - range.begin);
     thread_local std::vector<unsigned char> cells;
-    thread_local std::vector<std::uint32_t> order;
     cells.resize(count);
-    order.resize(count);
     block.find(range.begin, range.end, cells.data());
-    std::array<std::uint32_t, BlockCells<S>::count + 1> next{};
-    for (const unsigned char cell : cells) ++next[cell + 1U];
-    std::partial_sum(next.begin(), next.end(), next.begin());
-    for (std::size_t p = 0; p < count; ++p) order[next[cells[p]]++] = static_cast<std::uint32_t>(p);
-    particles.permute(range.begin, order);
+    particles.exchange(range.begin, exchanges(cells, BlockCells<S>::count));
 }
 
 #define MATPOINT_INSTANTIATE(S) \

@@ -1,7 +1,5 @@
 #include "step/ordering.hpp"
 
-#include "step/mixing.hpp"
-
 #include <matpoint/parallel.hpp>
 
 #include <algorithm>
@@ -49,12 +47,7 @@ bool Ordering<S>::update(Patch<S>& patch, std::vector<Particles<S>>& bodies, con
     bool sorted = false;
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         const Index covered = ranges_[b].empty() ? 0 : ranges_[b].back().end;
-        if (covered == bodies[b].size() && !strayed(patch, bodies[b], b, shape)) {
-            parallel_for(static_cast<Index>(ranges_[b].size()), bodies[b].size() / 16, [&](Index r) {
-                sort_if_mixed(patch, bodies[b], ranges_[b][static_cast<std::size_t>(r)], shape);
-            });
-            continue;
-        }
+        if (covered == bodies[b].size() && !strayed(patch, bodies[b], b, shape)) continue;
         if (!sorted) patch.set_blocks({});
         sort(patch, bodies[b], ranges_[b], shape);
         colour(patch, b);

@@ -39,8 +39,7 @@ class Ordering {
     /// Particles outside the grid's faces.
     std::vector<Stray> strays(const Patch<S>& patch, const std::vector<Particles<S>>& bodies) const;
     /// Sorts the bodies if a particle has strayed too far, or never was sorted; true if it did. The grid has
-    /// no blocks then: what they took serves for sorting. Ranges in which particles have become mixed are
-    /// sorted by themselves, without a change of blocks.
+    /// no blocks then: what they took serves for sorting.
     bool update(Patch<S>& patch, std::vector<Particles<S>>& bodies, const ShapeFunction<S>& shape);
     /// Blocks that must exist: those with particles and all their neighbours, ascending.
     std::vector<int> blocks(const Patch<S>& patch) const;

@@ -2,6 +2,7 @@
 #include <matpoint/parallel.hpp>
 #include <matpoint/particle_pack.hpp>
 
+#include "step/mixing.hpp"
 #include "step/phase_timer.hpp"
 
 #include <algorithm>
@@ -65,7 +66,7 @@ class Engine<S>::BatchUpdate final : public GatherSink<S> {
         sums_.momentum_scale += momentum_scale.total();
         for (std::size_t a = 0; a < S::dimension; ++a) sums_.momentum[a] += momentum[a].total();
         sums_.largest_speed = std::max(sums_.largest_speed, std::sqrt(static_cast<double>(largest(fastest))));
-        if (!std::isfinite(kinetic.total())) report(batch.begin(), false, 0);
+        if (!std::isfinite(kinetic.total())) report_not_finite(batch, Field::velocity);
     }
 
     /// Where the particles are that were moved.
@@ -73,7 +74,7 @@ class Engine<S>::BatchUpdate final : public GatherSink<S> {
 
     void add_wave_speed(const ParticleBatch<S>& batch, Real wave_speed) {
         const auto speed = static_cast<double>(wave_speed);
-        if (!std::isfinite(speed)) report(batch.begin(), false, 0);
+        if (!std::isfinite(speed)) report_not_finite(batch, Field::stress);
         sums_.largest_wave_speed = std::max(sums_.largest_wave_speed, speed);
     }
 
@@ -105,13 +106,13 @@ class Engine<S>::BatchUpdate final : public GatherSink<S> {
       public:
         template <class Point>
         MATPOINT_INLINE void add(const Point& p, Wide a) {
-            double* const sums = sums_.data() + p.at() % static_cast<int>(sums_.size());
+            double* const sums = sums_.data() + p.at() % batch_multiple;
             (Wide::load(sums) + p.mine(a)).store(sums);
         }
         double total() const { return std::accumulate(sums_.begin(), sums_.end(), 0.0); }
 
       private:
-        std::array<double, 8> sums_{};
+        std::array<double, batch_multiple> sums_{};
     };
     /// F = (I + L dt) F, V = det(I + L dt) V, then the stress [Wallstedt & Guilkey 2008, eq. 11-13]. Its work
     /// is that of V sigma : L before and after, of second order in dt. At the end of the step the same
@@ -146,7 +147,7 @@ class Engine<S>::BatchUpdate final : public GatherSink<S> {
                       wide(p.volume()) * wide(contract(p.stress(), gradient - dt_ * (gradient * gradient))));
         });
         sums_.strain_work += power.total() * static_cast<double>(dt_) / 2;
-        if (!std::isfinite(power.total())) report(batch.begin(), false, 0);
+        if (!std::isfinite(power.total())) report_not_finite(batch, Field::stress);
     }
 
     template <class Point>
@@ -156,6 +157,16 @@ class Engine<S>::BatchUpdate final : public GatherSink<S> {
                 const auto value = static_cast<double>(ratio[i]);
                 return report(batch.begin() + p.at() + i, std::isfinite(value), value);
             }
+    }
+
+    /// Of a batch in which something is not finite: the first particle whose own field tells, or the first of
+    /// all.
+    void report_not_finite(const ParticleBatch<S>& batch, Field field) {
+        const int components = particles_.components(particles_.slot(field));
+        for (Index p = batch.begin(); p < batch.end(); ++p)
+            for (int c = 0; c < components; ++c)
+                if (!std::isfinite(particles_.column(field, c)[p])) return report(p, false, 0);
+        report(batch.begin(), false, 0);
     }
 
     void report(Index p, bool finite, double ratio) {
@@ -198,7 +209,11 @@ void Engine<S>::update(typename Phases<S>::Update what, Real dt) {
             BatchUpdate sink(patch_, bodies_[b], b, *components_.materials[b], first_states_[b], transfer,
                              what, dt, partials_[first + static_cast<std::size_t>(r)]);
             components_.shape->gather(patch_, bodies_[b], range.begin, range.end, request, sink);
-            if (what.position) ordering_.bounds(b)[static_cast<std::size_t>(r)] = sink.bounds();
+            if (!what.position) return;
+            ordering_.bounds(b)[static_cast<std::size_t>(r)] = sink.bounds();
+            // While they are in the cache; but a fault names a particle by its place.
+            if (!partials_[first + static_cast<std::size_t>(r)].fault)
+                sort_if_mixed(patch_, bodies_[b], range, *components_.shape);
         });
     }
     collect(what);
