@@ -40,7 +40,7 @@ class J2Plasticity final : public PointwiseMaterial<S, J2Plasticity<S>> {
     /// The trial stress brought back to q = Y + H eps_p along its deviator; raises plastic_strain. In a
     /// bar q is |sigma|, and the uniaxial modulus 2 mu = E takes the place of 3 mu.
     template <class Point>
-    MATPOINT_INLINE auto update(const Point& p, Real dt) const {
+    auto update(const Point& p, Real dt) const {
         using T = typename Point::Number;
         constexpr bool bar = S::dimension == 1;
         const Tensor<S, T> trial = hypoelastic_stress(lame_, p.stress(), p.velocity_gradient(), dt);
@@ -58,7 +58,7 @@ class J2Plasticity final : public PointwiseMaterial<S, J2Plasticity<S>> {
         return squared_wave_speed(p);
     }
     template <class Point>
-    MATPOINT_INLINE auto squared_wave_speed(const Point& p) const {
+    auto squared_wave_speed(const Point& p) const {
         return squared_elastic_wave_speed(lame_, p.density());
     }
 

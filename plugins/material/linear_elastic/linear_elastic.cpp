@@ -32,13 +32,13 @@ class LinearElastic final : public PointwiseMaterial<S, LinearElastic<S>> {
     bool uses_deformation_gradient() const override { return small_strain_; }
 
     template <class Point>
-    MATPOINT_INLINE auto update(const Point& p, Real dt) const {
+    auto update(const Point& p, Real dt) const {
         p.set_stress(small_strain_ ? stress(small_strain(p.deformation_gradient()))
                                    : hypoelastic_stress(lame_, p.stress(), p.velocity_gradient(), dt));
         return squared_wave_speed(p);
     }
     template <class Point>
-    MATPOINT_INLINE auto squared_wave_speed(const Point& p) const {
+    auto squared_wave_speed(const Point& p) const {
         auto square = squared_elastic_wave_speed(lame_, p.density());
         if (small_strain_) square *= sqrt(largest_squared_stretch(p.deformation_gradient()));
         return square;

@@ -27,13 +27,13 @@ class NeoHookean final : public PointwiseMaterial<S, NeoHookean<S>> {
     bool uses_deformation_gradient() const override { return true; }
 
     template <class Point>
-    MATPOINT_INLINE auto update(const Point& p, Real) const {
+    auto update(const Point& p, Real) const {
         const State<typename Point::Number> state(p.deformation_gradient());
         p.set_stress(stress(state));
         return squared_wave_speed(state) * p.volume() / p.mass();
     }
     template <class Point>
-    MATPOINT_INLINE auto squared_wave_speed(const Point& p) const {
+    auto squared_wave_speed(const Point& p) const {
         return squared_wave_speed(State<typename Point::Number>(p.deformation_gradient())) * p.volume() /
                p.mass();
     }
@@ -65,7 +65,7 @@ class NeoHookean final : public PointwiseMaterial<S, NeoHookean<S>> {
 
     /// Times density, Pa: an upper bound of the eigenvalues of the acoustic tensor of any direction (README).
     template <class T>
-    MATPOINT_INLINE T squared_wave_speed(const State<T>& state) const {
+    T squared_wave_speed(const State<T>& state) const {
         const T volumetric = lame_.lambda * (T(1) - state.log_j) + lame_.mu;
         const T stiffness = max(T(0), volumetric) + lame_.mu * largest_squared_stretch(state.f);
         return stiffness * state.inverse_j;

@@ -21,7 +21,7 @@ class PlainRubber final : public PointwiseMaterial<Space, PlainRubber<Space>> {
     bool uses_deformation_gradient() const override { return true; }
 
     template <class Point>
-    MATPOINT_INLINE auto update(const Point& p, Real) const {
+    auto update(const Point& p, Real) const {
         const auto F = p.deformation_gradient();
         const auto I = Tensor<Space, typename Point::Number>::identity();
         const auto J = determinant(F);
@@ -31,7 +31,7 @@ class PlainRubber final : public PointwiseMaterial<Space, PlainRubber<Space>> {
     }
 
     template <class Point>
-    MATPOINT_INLINE auto squared_wave_speed(const Point& p) const {
+    auto squared_wave_speed(const Point& p) const {
         const auto F = p.deformation_gradient();
         const auto J = determinant(F);
         const auto volumetric = lame_.lambda * (1 - log(J)) + lame_.mu;

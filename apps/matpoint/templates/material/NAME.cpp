@@ -26,7 +26,7 @@ class {{Name}} final : public PointwiseMaterial<Space, {{Name}}<Space>> {
           gamma_(Real(parameters.number("exponent"))) {}
 
     template <class Point>
-    MATPOINT_INLINE auto update(const Point& p, Real) const {
+    auto update(const Point& p, Real) const {
         const auto speed = squared_wave_speed(p);  // first: what it shares with the stress is computed once then
         const auto J = rho0_ / p.density();
         const auto pressure = K_ / gamma_ * (pow(J, -gamma_) - 1);  // Pa
@@ -36,7 +36,7 @@ class {{Name}} final : public PointwiseMaterial<Space, {{Name}}<Space>> {
 
     /// c^2 = dp/drho = K/rho0 J^(1 - gamma)
     template <class Point>
-    MATPOINT_INLINE auto squared_wave_speed(const Point& p) const {
+    auto squared_wave_speed(const Point& p) const {
         return K_ / rho0_ * pow(rho0_ / p.density(), 1 - gamma_);
     }
 
