@@ -99,16 +99,17 @@ class Patch {
     bool has(NodeField field) const { return first_column_[static_cast<std::size_t>(field)] >= 0; }
     static constexpr int components(NodeField field) { return field == NodeField::mass ? 1 : S::dimension; }
     Index node_count() const { return static_cast<Index>(existing_.size()) * block_nodes; }
-    Real* column(NodeField field, int component = 0) {
-        return columns_[static_cast<std::size_t>(first_column_[static_cast<std::size_t>(field)] + component)];
-    }
-    const Real* column(NodeField field, int component = 0) const {
-        return columns_[static_cast<std::size_t>(first_column_[static_cast<std::size_t>(field)] + component)];
-    }
+    Real* column(NodeField field, int component = 0) { return columns_[place(field, component)]; }
+    const Real* column(NodeField field, int component = 0) const { return columns_[place(field, component)]; }
     void clear(NodeField field);
     std::size_t bytes() const;
 
   private:
+    std::size_t place(NodeField field, int component) const {
+        const int place = first_column_[static_cast<std::size_t>(field)] + component;
+        return static_cast<std::size_t>(place);
+    }
+
     /// Place of a block among the existing ones, -1 if it is not; from a hash table, so that the lattice may
     /// be as large as one likes.
     int slot_of(int number) const {

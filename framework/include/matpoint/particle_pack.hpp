@@ -61,24 +61,24 @@ class ParticlePack {
     MATPOINT_INLINE Tensor<S, Number> deformation_gradient() const {
         Real* const* const f = columns(Field::deformation_gradient);
         Tensor<S, Number> t;
-        for (int c = 0; c < d * d; ++c) t.plane.data()[c] = load(f[c]);
+        for (int c = 0; c < plane_size; ++c) t.plane.data()[c] = load(f[c]);
         if constexpr (S::axisymmetric)
-            t.normal = load(f[d * d]);
+            t.normal = load(f[plane_size]);
         else if constexpr (S::has_normal)
             t.normal = Number(1);
         return t;
     }
     MATPOINT_INLINE void set_deformation_gradient(const Tensor<S, Number>& t) const {
         Real* const* const f = columns(Field::deformation_gradient);
-        for (int c = 0; c < d * d; ++c) store(f[c], t.plane.data()[c]);
-        if constexpr (S::axisymmetric) store(f[d * d], t.normal);
+        for (int c = 0; c < plane_size; ++c) store(f[c], t.plane.data()[c]);
+        if constexpr (S::axisymmetric) store(f[plane_size], t.normal);
     }
     /// L of the step.
     MATPOINT_INLINE Tensor<S, Number> velocity_gradient() const {
         Tensor<S, Number> t;
         const auto& columns = batch_->gathered().velocity_gradient;
-        for (int c = 0; c < d * d; ++c) t.plane.data()[c] = load(columns[static_cast<std::size_t>(c)]);
-        if constexpr (S::axisymmetric) t.normal = load(columns[d * d]);
+        for (int c = 0; c < plane_size; ++c) t.plane.data()[c] = load(columns[static_cast<std::size_t>(c)]);
+        if constexpr (S::axisymmetric) t.normal = load(columns[plane_size]);
         return t;
     }
     MATPOINT_INLINE Tensor<S, Number> stress() const {
@@ -124,7 +124,7 @@ class ParticlePack {
     }
 
   private:
-    static constexpr int d = S::dimension;
+    static constexpr int d = S::dimension, plane_size = d * d;
     Particles<S>& particles() const { return batch_->particles(); }
     MATPOINT_INLINE Number load_from(const Real* from) const {
         if constexpr (whole) return Number::load(from);

@@ -13,17 +13,17 @@ namespace matpoint {
 /// A square matrix of Packs, by column as Eigen's. Eigen's own operations on such numbers are not inlined.
 template <class T, int D>
 struct PackMatrix {
-    std::array<T, D * D> numbers;
+    std::array<T, static_cast<std::size_t>(D) * D> numbers;
 
     PackMatrix() {
 #pragma GCC unroll 9  // or it becomes a call of memset's kind, which takes longer
         for (T& number : numbers) number = T(0);
     }
     MATPOINT_INLINE T& operator()(int row, int column) {
-        return numbers[static_cast<std::size_t>(row + D * column)];
+        return numbers[place(row, column)];
     }
     MATPOINT_INLINE const T& operator()(int row, int column) const {
-        return numbers[static_cast<std::size_t>(row + D * column)];
+        return numbers[place(row, column)];
     }
     T* data() {
         return numbers.data();
@@ -33,6 +33,12 @@ struct PackMatrix {
     }
     static PackMatrix Zero() {
         return {};
+    }
+
+  private:
+    MATPOINT_INLINE static std::size_t place(int row, int column) {
+        const int place = row + D * column;
+        return static_cast<std::size_t>(place);
     }
 };
 

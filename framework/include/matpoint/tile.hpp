@@ -70,8 +70,10 @@ class Tile {
             int corner = 0;
             for (std::size_t a = 0; a < D; ++a) corner += block[a] * b * stride(static_cast<int>(a));
             for (int z = local_low[2]; z < local_high[2]; ++z)
-                for (int y = local_low[1]; y < local_high[1]; ++y)
-                    visit(corner + z * edge * edge + y * edge, start + (z * b + y) * b);
+                for (int y = local_low[1]; y < local_high[1]; ++y) {
+                    const int row = (z * b + y) * b;
+                    visit(corner + z * edge * edge + y * edge, start + row);
+                }
         } while (advance(block, first, last));
     }
 

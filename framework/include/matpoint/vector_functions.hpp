@@ -5,7 +5,7 @@
 #if defined(__x86_64__) && defined(__GLIBC__)
 #include <immintrin.h>
 
-extern "C" {
+extern "C" {  // NOLINTBEGIN(bugprone-reserved-identifier): the library's names
 [[gnu::const]] __m128d _ZGVbN2v_log(__m128d);
 [[gnu::const]] __m128d _ZGVbN2v_exp(__m128d);
 [[gnu::const]] __m128d _ZGVbN2vv_pow(__m128d, __m128d);
@@ -20,7 +20,7 @@ extern "C" {
 [[gnu::const]] __m256 _ZGVdN8v_expf(__m256);
 [[gnu::const]] __m256 _ZGVdN8vv_powf(__m256, __m256);
 #endif
-}
+}  // NOLINTEND(bugprone-reserved-identifier)
 #endif
 
 namespace matpoint {

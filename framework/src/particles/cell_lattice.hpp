@@ -38,7 +38,8 @@ class CellLattice {
 
         Index cells() const { return last - first; }
         double at(int cell, int k) const {
-            return coordinates[static_cast<std::size_t>((cell - first) * per_cell + k)];
+            const int place = (cell - first) * per_cell + k;
+            return coordinates[static_cast<std::size_t>(place)];
         }
     };
 

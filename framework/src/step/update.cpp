@@ -212,7 +212,7 @@ void Engine<S>::update(typename Phases<S>::Update what, Real dt) {
             if (!what.position) return;
             ordering_.bounds(b)[static_cast<std::size_t>(r)] = sink.bounds();
             // While they are in the cache; but a fault names a particle by its place.
-            if (!partials_[first + static_cast<std::size_t>(r)].fault)
+            if (faults_.empty() && !partials_[first + static_cast<std::size_t>(r)].fault)
                 sort_if_mixed(patch_, bodies_[b], range, *components_.shape);
         });
     }
