@@ -30,7 +30,7 @@ def growth_plot(points, bandwidth):
     for column, colour, dashes, words in ((1, "#1f77b4", "", "measured"), (2, "#888", "6 4", f"its bytes at {bandwidth} GB/s")):
         path = "L".join(f"{x(p[0]):.1f} {y(p[column]):.1f}" for p in points)
         parts.append(f'<path d="M{path}" fill="none" stroke="{colour}" stroke-width="2" stroke-dasharray="{dashes}"/>')
-        beneath = max(p[column] for p in points if x(p[0]) < x(points[0][0]) + 8 * len(words))
+        beneath = max(p[column] for p in points if x(p[0]) < x(points[0][0]) + 10 * len(words))
         parts.append(text(x(points[0][0]), y(beneath) - 8, words, "start", f' fill="{colour}"'))
     parts += [f'<circle cx="{x(p[0]):.1f}" cy="{y(p[1]):.1f}" r="4" fill="#1f77b4"/>' for p in points]
     middle = (TOP + HEIGHT - BOTTOM) / 2
