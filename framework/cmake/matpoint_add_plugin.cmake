@@ -24,6 +24,9 @@ function(matpoint_add_plugin name)
   if(TARGET matpoint_warnings)
     target_link_libraries(${name} PRIVATE matpoint_warnings)
   endif()
+  if(TARGET matpoint_plugin_precompiled)
+    target_precompile_headers(${name} REUSE_FROM matpoint_plugin_precompiled)
+  endif()
   # A plugin's loops run for every particle and step: never unoptimised by oversight.
   target_compile_options(${name} PRIVATE $<$<CONFIG:>:-O3;-DNDEBUG>
     # Or GCC, which counts what it has inlined for all spaces, leaves plain functions of one particle out of line.
@@ -60,6 +63,9 @@ function(matpoint_add_plugin_build name instruction_set)
   get_target_property(sources ${name} SOURCES)
   get_target_property(folder ${name} LIBRARY_OUTPUT_DIRECTORY)
   add_library(${build} MODULE ${sources})
+  if(TARGET matpoint_plugin_precompiled.${instruction_set})
+    target_precompile_headers(${build} REUSE_FROM matpoint_plugin_precompiled.${instruction_set})
+  endif()
   foreach(property IN ITEMS COMPILE_DEFINITIONS COMPILE_FEATURES COMPILE_OPTIONS INCLUDE_DIRECTORIES
                             LINK_DIRECTORIES LINK_LIBRARIES LINK_OPTIONS LINK_DEPENDS_NO_SHARED
                             CXX_VISIBILITY_PRESET VISIBILITY_INLINES_HIDDEN CXX_EXTENSIONS CXX_STANDARD PREFIX)

@@ -1,0 +1,16 @@
+# matpoint_precompile(<name> <instruction set> <header>...)
+#
+# Most of the time that a file takes to compile goes into the headers of libraries. They are read once, by the
+# target <name>, for all targets with the same options, which say
+# target_precompile_headers(<target> REUSE_FROM <name>). <instruction set> is empty for the lowest.
+function(matpoint_precompile name instruction_set)
+  set(source ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
+  file(GENERATE OUTPUT ${source} CONTENT "")
+  add_library(${name} OBJECT ${source})
+  set_target_properties(${name} PROPERTIES MATPOINT_INSTRUCTION_SET "${instruction_set}")
+  target_link_libraries(${name} PRIVATE matpoint_headers)
+  target_precompile_headers(${name} PRIVATE
+    <nlohmann/json.hpp> <Eigen/Core> <Eigen/Geometry>
+    <algorithm> <array> <cmath> <filesystem> <functional> <map> <memory> <optional> <span> <stdexcept> <string> <vector>
+    ${ARGN})
+endfunction()
