@@ -33,7 +33,10 @@ std::vector<Diagnostic> Diagnostics::all() const {
 
 std::string Diagnostics::text() const {
     std::string text;
-    for (const Diagnostic& d : all()) text += (text.empty() ? "" : "\n") + to_string(d);
+    for (const Diagnostic& d : all()) {
+        if (!text.empty()) text += '\n';
+        text += to_string(d);
+    }
     return text;
 }
 
