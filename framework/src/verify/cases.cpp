@@ -72,7 +72,7 @@ const Schema& case_file_schema() {
 std::string id_of(const fs::path& file, const std::string& name) {
     std::string path = fs::proximate(file).generic_string();
     const std::string_view suffix = is_case_file(file) ? case_suffix : ".json";
-    if (path.ends_with(suffix)) path.resize(path.size() - suffix.size());
+    if (path.ends_with(suffix)) path.erase(path.size() - suffix.size());
     return path + ":" + name;
 }
 
