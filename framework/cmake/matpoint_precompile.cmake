@@ -2,7 +2,8 @@
 #
 # Most of the time that a file takes to compile goes into the headers of libraries. They are read once, by the
 # target <name>, for all targets with the same options, which say
-# target_precompile_headers(<target> REUSE_FROM <name>). <instruction set> is empty for the lowest.
+# target_precompile_headers(<target> REUSE_FROM <name>). <instruction set> is empty for the lowest. Programs,
+# which are compiled otherwise than libraries, take them from matpoint_precompile_for_programs(<name> <header>...).
 function(matpoint_precompile name instruction_set)
   set(source ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
   file(GENERATE OUTPUT ${source} CONTENT "")
@@ -13,4 +14,11 @@ function(matpoint_precompile name instruction_set)
     <nlohmann/json.hpp> <Eigen/Core> <Eigen/Geometry>
     <algorithm> <array> <cmath> <filesystem> <functional> <map> <memory> <optional> <span> <stdexcept> <string> <vector>
     ${ARGN})
+endfunction()
+
+function(matpoint_precompile_for_programs name)
+  matpoint_precompile(${name} "" <fmt/format.h> <fmt/ranges.h> ${ARGN})
+  set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE OFF)
+  target_compile_options(${name} PRIVATE -fPIE)
+  target_link_libraries(${name} PRIVATE fmt::fmt)
 endfunction()
