@@ -9,7 +9,7 @@ function(matpoint_precompile name instruction_set)
   file(GENERATE OUTPUT ${source} CONTENT "")
   add_library(${name} OBJECT ${source})
   set_target_properties(${name} PROPERTIES MATPOINT_INSTRUCTION_SET "${instruction_set}")
-  target_link_libraries(${name} PRIVATE matpoint_headers)
+  target_link_libraries(${name} PRIVATE matpoint_headers matpoint_warnings)
   target_precompile_headers(${name} PRIVATE
     <nlohmann/json.hpp> <Eigen/Core> <Eigen/Geometry>
     <algorithm> <array> <cmath> <filesystem> <functional> <map> <memory> <optional> <span> <stdexcept> <string> <vector>
