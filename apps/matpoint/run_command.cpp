@@ -27,20 +27,20 @@ std::vector<std::string> assignments_of(const po::variables_map& values) {
     return values["set"].as<std::vector<std::string>>();
 }
 
-void print_warnings(const Scene& scene) {
-    for (const Diagnostic& warning : scene.warnings) std::cerr << to_string(warning) << "\n";
+void print_recommendation(const Scene& scene) {
     if (const auto advice = recommendation(scene, fronts_folder())) std::cerr << *advice << "\n";
 }
 
 int run_to_end(const Scene& scene, PluginCatalogue& catalogue, const po::variables_map& values,
                const std::filesystem::path& default_output, std::optional<CheckpointData> resume) {
-    print_warnings(scene);
+    print_recommendation(scene);
     const bool quiet = values.count("quiet") > 0;
     RunOptions options;
     options.output =
         values.count("output") > 0 ? values["output"].as<std::string>() : default_output.string();
     options.progress = !quiet && isatty(STDERR_FILENO) == 1;
     options.quiet = quiet;
+    options.warn = [](const std::string& warning) { std::cerr << warning << "\n"; };
     options.resume = std::move(resume);
     const RunResult result = run_scene(scene, catalogue, options);
     if (result.status != RunStatus::completed) std::cerr << result.reason << "\n";

@@ -19,8 +19,8 @@ std::vector<std::string> assignments_of(const po::variables_map& values);
 /// What `run` and `restart` share: --output, --set, --threads, --quiet.
 void add_run_options(po::options_description& options);
 
-/// Warnings of a scene, on stderr.
-void print_warnings(const Scene& scene);
+/// What is known of the accuracy that a scene asks for, on stderr.
+void print_recommendation(const Scene& scene);
 
 /// Runs, with progress if stderr is a terminal; says on stderr why a run did not complete. Returns
 /// the exit status.

@@ -39,7 +39,7 @@ std::string reason_for(const std::string& name) {
         case Field::initial_position:
             return "displacements: outputs, checks, exact solutions";
         case Field::id:
-            return "outputs and checks in the order of seeding";
+            return "messages about a particle, and the order of outputs";
     }
     return "";
 }
@@ -68,7 +68,8 @@ void validate_file(const std::filesystem::path& file, const std::vector<std::str
     PluginCatalogue catalogue;
     const Scene scene = load_scene(file, assignments, catalogue);
     const auto simulation = Simulation::create(scene, catalogue);
-    print_warnings(scene);
+    for (const std::string& warning : simulation->warnings()) std::cerr << warning << "\n";
+    print_recommendation(scene);
 
     const double dt = simulation->next_time_step();
     std::cout << fmt::format("{}: ok\n", file.string());

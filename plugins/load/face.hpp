@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -30,6 +31,13 @@ class Face {
         for (Index p = 0; p < particles.size(); ++p)
             outermost = std::max(outermost, sign_ * side(particles, p));
         return sign_ * outermost;
+    }
+
+    /// From this side of the body to the opposite one, m.
+    double depth(const Particles<S>& particles) const {
+        Face opposite(*this);
+        opposite.sign_ = -sign_;
+        return std::abs(plane(particles) - opposite.plane(particles));
     }
 
     /// A particle's share of the face's area, m^2: the product of its sizes along the other axes (times

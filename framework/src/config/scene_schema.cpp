@@ -58,6 +58,10 @@ Schema body_schema() {
               .at_least = 1})
         .add("velocity", ParameterType::profiles,
              {.unit = "m/s", .doc = "Initial velocity by position", .default_value = 0})
+        .add("overlaps", ParameterType::references,
+             {.doc = "Bodies that may fill the same space, with the mass of both",
+              .default_value = Json::array(),
+              .section = "bodies"})
         .add("geometry", ParameterType::component, {.doc = "The region to fill", .kind = "geometry"});
 }
 
@@ -77,6 +81,10 @@ Schema checkpoint_schema() {
     schema.refuse(
         "", "give `every` or `every_steps`: without one, no state is saved",
         [](const Json& own, const Json&) { return !own.contains("every") && !own.contains("every_steps"); });
+    schema.warn("/every", "the run ends before the first state is saved",
+                [](const Json& own, const Json& scene) {
+                    return own.value("every", 0.0) > scene.at("/time/end"_json_pointer).get<double>();
+                });
     return refuse_two_intervals(schema);
 }
 

@@ -5,6 +5,7 @@
 
 #include "particles/seeding.hpp"
 #include "run/derived_fields.hpp"
+#include "run/scene_checks.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -22,7 +23,9 @@ class Maker {
     Maker(const Scene& scene, const Registry& registry)
         : scene_(scene),
           registry_(registry),
-          context_{scene.space, scene.folder, &registry, &scene.resolved} {}
+          context_{scene.space, scene.folder, &registry, &scene.resolved} {
+        for (const Diagnostic& warning : scene.warnings) diagnostics_.add(warning);
+    }
 
     template <class C>
     std::shared_ptr<C> make(const std::string& kind, const std::string& pointer) {
@@ -45,7 +48,17 @@ class Maker {
         return scene_.resolved.at(Json::json_pointer(pointer));
     }
     const Parameters::Context& context() const { return context_; }
+    void add(const Findings& findings) {
+        for (const Finding& finding : findings)
+            diagnostics_.add(scene_.document.diagnostic(finding.pointer, finding.text, finding.error));
+    }
     void throw_if_errors() const { diagnostics_.throw_if_errors(); }
+    /// In the order of the scene's text.
+    std::vector<std::string> warnings() const {
+        std::vector<std::string> texts;
+        for (const Diagnostic& diagnostic : diagnostics_.all()) texts.push_back(to_string(diagnostic));
+        return texts;
+    }
 
   private:
     const Scene& scene_;
@@ -177,7 +190,6 @@ template <class S>
 void require_observed(const Maker& maker, const std::vector<ScheduledOutput>& outputs,
                       Particles<S>& particles) {
     for (const ScheduledOutput& scheduled : outputs) {
-        particles.require(Field::id);
         const std::string body = scheduled.output->body();
         if (!body.empty() && body != particles.body()) continue;
         for (const std::string& name : scheduled.output->required_fields())
@@ -186,7 +198,6 @@ void require_observed(const Maker& maker, const std::vector<ScheduledOutput>& ou
     if (const Json& scene = maker.json(""); scene.contains("checks"))
         for (const Json& check : scene.at("checks"))
             if (check.contains("particles")) {
-                particles.require(Field::id);
                 particles.require(Field::initial_position);
                 if (const auto field = field_behind(check.at("particles").value("field", "")))
                     particles.require(*field);
@@ -207,11 +218,11 @@ Assembly<S> assemble(const Scene& scene, const Registry& registry) {
     for (std::size_t k = 0; k < scene.resolved.at("loads").size(); ++k)
         components.loads.push_back(maker.make<Load<S>>("load", "/loads/" + std::to_string(k)));
     make_conditions(maker, components.conditions);
+    std::shared_ptr<Geometry> within;
     if (scene.resolved.contains("exact_solution")) {
         const Json& own = maker.json("/exact_solution");
         components.exact_solution = maker.make<ExactSolution>("exact_solution", "/exact_solution");
-        const auto within =
-            own.contains("within") ? maker.make<Geometry>("geometry", "/exact_solution/within") : nullptr;
+        if (own.contains("within")) within = maker.make<Geometry>("geometry", "/exact_solution/within");
         result.error.emplace(components.exact_solution, own, within);
     }
     make_outputs(maker, result.outputs);
@@ -228,11 +239,11 @@ Assembly<S> assemble(const Scene& scene, const Registry& registry) {
         if (patch.cells()[a] + 1 < components.shape->width())
             maker.mistake("/grid", "needs at least " + std::to_string(components.shape->width() - 1) +
                                        " cells on every axis for this shape function");
-    maker.attempt("/boundary_conditions", [&] { Walls<S> check(components.conditions); });
 
     std::size_t number = 0;
     for (const auto& [name, body] : scene.resolved.at("bodies").items()) {
         Particles<S> particles(name);
+        particles.require(Field::id);  // messages call a particle by it, and outputs are in its order
         const auto material = materials.at(body.at("material").template get<std::string>());
         components.materials.push_back(material);
         components.shape->declare(particles);
@@ -291,7 +302,16 @@ Assembly<S> assemble(const Scene& scene, const Registry& registry) {
     }
     check_observed(maker, result.outputs, result.bodies);
     maker.throw_if_errors();
-    for (const auto& load : components.loads) load->start(patch, result.bodies);
+    for (std::size_t k = 0; k < components.loads.size(); ++k)
+        maker.attempt("/loads/" + std::to_string(k),
+                      [&] { components.loads[k]->start(patch, result.bodies); });
+    const SceneParts<S> parts{scene.resolved,        patch,      *components.shape,
+                              components.conditions, geometries, result.bodies};
+    for (const Findings& findings : {check_conditions(parts), check_extents(parts), check_overlaps(parts),
+                                     check_axis(parts), check_measured(parts, within.get())})
+        maker.add(findings);
+    maker.throw_if_errors();
+    result.warnings = maker.warnings();
     if (const ExactSolution* solution = components.exact_solution.get())
         for (Particles<S>& particles : result.bodies) {
             if (!solution->covers(particles.body())) continue;

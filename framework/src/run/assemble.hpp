@@ -14,6 +14,7 @@ struct Assembly {
     std::vector<int> first_states;  ///< slot of each body's first material state variable
     std::vector<ScheduledOutput> outputs;
     std::optional<ExactError<S>> error;  ///< if the scene has an exact solution
+    std::vector<std::string> warnings;   ///< of the scene and of what it is made into
 };
 
 /// Makes a scene's components, gives particles the fields that these ask for, and seeds the bodies.

@@ -15,10 +15,9 @@ std::string at(const Moment& moment) {
 
 template <class S>
 std::string name(const Particles<S>& particles, Index p) {
-    const auto place = static_cast<std::size_t>(p);
-    const std::size_t number = particles.has(Field::id) ? particles.ids()[place] : place;
     const typename S::Vector x = particles.position(p);
-    return fmt::format("particle {} of body \"{}\" at ({:.6g})", number, particles.body(),
+    return fmt::format("particle {} of body \"{}\" at ({:.6g})", particles.ids()[static_cast<std::size_t>(p)],
+                       particles.body(),
                        fmt::join(x.data(), x.data() + S::dimension, ", "));
 }
 

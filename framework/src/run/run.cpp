@@ -86,6 +86,7 @@ class Run {
         write_json(options_.output / "resolved.json", with_plugins(scene_.resolved, catalogue_));
         const SignalGuard signals;
         Progress progress(options_.progress);
+        tell_warnings(progress);
         try {
             open_outputs();
             steps(result, progress);
@@ -130,6 +131,13 @@ class Run {
         }
     }
 
+    void tell_warnings(Progress& progress) {
+        const std::vector<std::string>& warnings = simulation_->warnings();
+        if (told_ < warnings.size()) progress.clear();
+        for (; told_ < warnings.size(); ++told_)
+            if (options_.warn) options_.warn(warnings[told_]);
+    }
+
     void steps(RunResult& result, Progress& progress) {
         double refuge_due = refuge_interval;
         if (simulation_->step() == 0) simulation_->measure_error();
@@ -145,6 +153,7 @@ class Run {
                 simulation_->advance();
             }
             simulation_->measure_error();
+            tell_warnings(progress);
             ++clock_.steps;
             clock_.particle_steps += static_cast<double>(simulation_->particle_count());
             const auto& outputs = simulation_->outputs();
@@ -246,6 +255,7 @@ class Run {
     std::vector<Schedule> schedules_;
     std::optional<Schedule> checkpoints_;
     int keep_ = 2;
+    std::size_t told_ = 0;  ///< warnings
     RunClock clock_;
 };
 

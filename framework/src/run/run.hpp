@@ -3,6 +3,7 @@
 #include "run/simulation.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -13,6 +14,7 @@ struct RunOptions {
     bool progress = false;                   ///< a progress line on stderr (the CLI sets it on a terminal)
     bool quiet = false;                      ///< no closing table on stdout
     bool keep_state = false;                 ///< the result holds the state at the end: as much memory again
+    std::function<void(const std::string&)> warn{};  ///< told of each warning as soon as it is known
     std::optional<CheckpointData> resume{};  ///< continue from this state
     std::optional<long> stop_after_steps{};  ///< stop as if interrupted after this many steps in all (tests)
 };

@@ -2,6 +2,8 @@
 
 #include "run/derived_fields.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -32,6 +34,7 @@ SceneSimulation<S>::SceneSimulation(const Scene& scene, PluginCatalogue& catalog
 
     engine_.prepare();
     engine_.measure();
+    warnings_ = assembly_.warnings;
     numbers_.first_mass = mass();
     numbers_.given_momentum = engine_.tally().momentum;
     numbers_.first_energy = energies().total();
@@ -99,6 +102,18 @@ void SceneSimulation<S>::advance() {
     ++step_;
     time_ = step_length_ > 0 ? static_cast<double>(step_) * step_length_ : time_ + dt;
     account();
+    if (finished()) warn_of_idle_parts();
+}
+
+template <class S>
+void SceneSimulation<S>::warn_of_idle_parts() {
+    const auto& conditions = assembly_.components.conditions;
+    for (std::size_t k = 0; k < conditions.size(); ++k)
+        if (conditions[k].region && !engine_.held()[k])
+            warnings_.push_back(
+                fmt::format("/boundary_conditions/{}: no body ever was in its region: it held nothing", k));
+    if (assembly_.error && numbers_.error.count == 0)
+        warnings_.push_back("/exact_solution: nothing was there to be compared with it: no error is given");
 }
 
 template <class S>
@@ -142,8 +157,8 @@ void SceneSimulation<S>::measure_error() {
 
 template <class S>
 std::optional<Json> SceneSimulation<S>::error() const {
-    if (!assembly_.error) return {};
     const ErrorSums& sums = numbers_.error;
+    if (!assembly_.error || sums.count == 0) return {};
     return Json{{"quantity", assembly_.error->quantity()},
                 {"l1", sums.l1()},
                 {"l2", sums.l2()},
@@ -179,9 +194,8 @@ void SceneSimulation<S>::remove_strays() {
         particles.permute(kept);
         engine_.forget(b);
     }
-    if (warnings_.empty() || warnings_.front().find("deleted") == std::string::npos)
-        warnings_.insert(warnings_.begin(), "particles that left the grid are deleted, first in step " +
-                                                std::to_string(step_) + "; summary.json has the lost mass");
+    warn_once("deleted", "particles that left the grid are deleted, first in step " + std::to_string(step_) +
+                             "; summary.json has the lost mass");
 }
 
 template <class S>
@@ -190,7 +204,13 @@ void SceneSimulation<S>::guard_step(double dt) {
     const std::string text = describe_unstable_step({step_, time_, dt}, stable_step(), numbers_.wave_speed,
                                                     numbers_.particle_speed);
     if (on_unstable_step_ == "error") throw Breakdown(text);
-    if (warnings_.empty() || warnings_.back().find("stable") == std::string::npos) warnings_.push_back(text);
+    warn_once("stable", text);
+}
+
+template <class S>
+void SceneSimulation<S>::warn_once(const std::string& word, const std::string& text) {
+    const auto said = [&](const std::string& warning) { return warning.find(word) != std::string::npos; };
+    if (std::ranges::none_of(warnings_, said)) warnings_.push_back(text);
 }
 
 #define MATPOINT_INSTANTIATE(S)                                                   \

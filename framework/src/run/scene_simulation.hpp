@@ -32,7 +32,7 @@ class SceneSimulation final : public Simulation {
     std::vector<std::string> particle_fields() const override;
     std::vector<std::string> node_fields() const override;
     const std::vector<ScheduledOutput>& outputs() const override { return assembly_.outputs; }
-    const std::vector<std::string>& health_warnings() const override { return warnings_; }
+    const std::vector<std::string>& warnings() const override { return warnings_; }
 
     std::string title() const override { return title_; }
     double time() const override { return time_; }
@@ -73,6 +73,9 @@ class SceneSimulation final : public Simulation {
     void remove_strays();
     void guard_step(double dt);
     void account();
+    void warn_of_idle_parts();
+    /// Unless a warning has the word already.
+    void warn_once(const std::string& word, const std::string& text);
 
     std::string title_, scene_text_, folder_;
     std::map<std::string, std::string> plugins_;

@@ -61,13 +61,8 @@ double SceneSimulation<S>::mass() const {
     double sum = 0;
     for (const Particles<S>& particles : assembly_.bodies) {
         double own = 0;
-        if (particles.has(Field::id)) {
-            // By id, so that sorting does not change the rounding.
-            for (const double m : field_column(particles, "mass", 0)) own += m;
-        } else {
-            const auto* mass = particles.column(Field::mass);
-            for (Index p = 0; p < particles.size(); ++p) own += static_cast<double>(mass[p]);
-        }
+        // By id, so that sorting does not change the rounding.
+        for (const double m : field_column(particles, "mass", 0)) own += m;
         sum += own;
     }
     return sum;
@@ -146,6 +141,11 @@ void SceneSimulation<S>::Numbers::visit(Numbers_& n, const Visitor& visitor) {
     for (std::size_t c = 0; c < 3; ++c) visitor(fmt::format("given_momentum_{}", c), n.given_momentum[c]);
 }
 
+/// What checkpoints call the note that a boundary condition has held something.
+std::string held_name(std::size_t condition) {
+    return fmt::format("boundary_condition_{}_held", condition);
+}
+
 template <class S>
 CheckpointData SceneSimulation<S>::state() const {
     CheckpointData data;
@@ -157,6 +157,7 @@ CheckpointData SceneSimulation<S>::state() const {
     data.numbers["last_time_step"] = last_time_step_;
     Numbers::visit(numbers_,
                    [&](const std::string& name, const double& value) { data.numbers[name] = value; });
+    for (std::size_t k = 0; k < engine_.held().size(); ++k) data.numbers[held_name(k)] = engine_.held()[k];
     for (std::size_t b = 0; b < assembly_.bodies.size(); ++b) {
         const Particles<S>& particles = assembly_.bodies[b];
         CheckpointData::Body body;
@@ -205,6 +206,9 @@ void SceneSimulation<S>::restore(const CheckpointData& data) {
     time_ = data.time;
     last_time_step_ = data.numbers.at("last_time_step");
     Numbers::visit(numbers_, [&](const std::string& name, double& value) { value = data.numbers.at(name); });
+    for (std::size_t k = 0; k < engine_.held().size(); ++k)
+        if (const auto held = data.numbers.find(held_name(k)); held != data.numbers.end())
+            engine_.held()[k] = held->second != 0;
     for (std::size_t b = 0; b < assembly_.bodies.size(); ++b) {
         Particles<S>& particles = assembly_.bodies[b];
         const auto body = std::find_if(

@@ -50,8 +50,8 @@ class Simulation : public RunView {
     /// One step. Throws Breakdown; the state is then no longer one to go on from.
     virtual void advance() = 0;
     virtual const std::vector<ScheduledOutput>& outputs() const = 0;
-    /// Warnings of the health guard so far (each once).
-    virtual const std::vector<std::string>& health_warnings() const = 0;
+    /// Warnings so far, each once: of the scene, of the health guard, and at the end of what did nothing.
+    virtual const std::vector<std::string>& warnings() const = 0;
     /// Time step the next advance() would take, s.
     virtual double next_time_step() const = 0;
 

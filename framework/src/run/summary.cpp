@@ -78,7 +78,7 @@ Json summarise(const Simulation& simulation, const PluginCatalogue& catalogue, c
     if (const auto error = simulation.error()) summary["error"] = *error;
     for (const PluginLibrary& plugin : catalogue.opened()) summary["loaded_plugins"].push_back(plugin.name());
     if (!result.reason.empty()) summary["reason"] = result.reason;
-    if (!simulation.health_warnings().empty()) summary["warnings"] = simulation.health_warnings();
+    if (!simulation.warnings().empty()) summary["warnings"] = simulation.warnings();
     return summary;
 }
 

@@ -29,6 +29,7 @@ Engine<S>::Engine(Components<S> components, std::vector<Particles<S>>& bodies, s
             largest_mass_ = std::max(largest_mass_, static_cast<double>(mass[p]));
     }
     tally_.reactions.resize(walls_.conditions().size());
+    held_.resize(walls_.conditions().size());
 }
 
 template <class S>
@@ -230,6 +231,7 @@ void Engine<S>::add_reactions(NodeField source, NodeField value, double share, d
     walls_.reaction(patch_, source, value, time, sums);
     for (std::size_t k = 0; k < sums.size(); ++k) {
         tally_.external_work += sums[k].power * share;
+        if (sums[k].held) held_[k] = 1;
         for (std::size_t c = 0; c < S::dimension; ++c) {
             tally_.impulse[c] += sums[k].total[c] * share;
             tally_.reactions[k][c] += sums[k].total[c] * share / dt_;

@@ -86,6 +86,9 @@ class Engine final : public Phases<S> {
     /// Brings particles into order and makes the blocks of nodes that they reach.
     void prepare();
     const Tally& tally() const { return tally_; }
+    /// Whether each boundary condition has held a node with mass; a checkpoint keeps it.
+    std::vector<char>& held() { return held_; }
+    const std::vector<char>& held() const { return held_; }
     const std::vector<Fault>& faults() const { return faults_; }
     /// Wall time of all steps so far.
     const PhaseSeconds& seconds() const { return seconds_; }
@@ -148,6 +151,7 @@ class Engine final : public Phases<S> {
     double velocity_from_ = 0,
            velocity_to_ = 0;  ///< s, times of the nodal velocities before and after accelerate()
     Tally tally_;
+    std::vector<char> held_;  ///< by boundary condition
     std::vector<Fault> faults_;
 };
 

@@ -1,17 +1,6 @@
 #include "step/walls.hpp"
 
-#include <algorithm>
-#include <stdexcept>
-
 namespace matpoint {
-
-namespace {
-
-std::string face_name(int axis, int side) {
-    return std::string(1, "xyz"[axis]) + (side == 0 ? "_min" : "_max");
-}
-
-}  // namespace
 
 template <class S>
 Walls<S>::Walls(std::vector<PlacedCondition<S>> conditions) : conditions_(std::move(conditions)) {
@@ -20,18 +9,11 @@ Walls<S>::Walls(std::vector<PlacedCondition<S>> conditions) : conditions_(std::m
             Face face{axis, side, {}, false, {}};
             face.condition.fill(-1);
             for (std::size_t k = 0; k < conditions_.size(); ++k) {
-                const auto& names = conditions_[k].faces;
-                if (std::find(names.begin(), names.end(), face_name(axis, side)) == names.end()) continue;
+                if (!holds_on(conditions_[k], axis, side)) continue;
                 face.wall = true;
                 const auto prescribes = conditions_[k].condition->prescribes(axis);
-                for (std::size_t c = 0; c < S::dimension; ++c) {
-                    if (!prescribes[c]) continue;
-                    if (face.condition[c] >= 0)
-                        throw std::invalid_argument("two boundary conditions prescribe the " +
-                                                    std::string(1, "xyz"[c]) + " component of velocity on " +
-                                                    face_name(axis, side));
-                    face.condition[c] = static_cast<int>(k);
-                }
+                for (std::size_t c = 0; c < S::dimension; ++c)
+                    if (prescribes[c]) face.condition[c] = static_cast<int>(k);
             }
             faces_.push_back(std::move(face));
         }
@@ -200,6 +182,7 @@ void Walls<S>::reaction(const Patch<S>& patch, NodeField source, NodeField value
         const Real* s = patch.column(source, p.component);
         const Real* v = patch.column(value, p.component);
         add(p.condition, p.component, static_cast<double>(mass[p.node] * v[p.node] - s[p.node]), p.position);
+        if (mass[p.node] > 0) sums[static_cast<std::size_t>(p.condition)].held = true;
     }
     // A ghost's source was taken from its image within, which is pushed the other way by as much;
     // momentum was also given what the wall's own velocity brings (fold_momentum).

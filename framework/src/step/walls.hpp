@@ -4,6 +4,7 @@
 #include <matpoint/geometry.hpp>
 #include <matpoint/grid.hpp>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -18,6 +19,16 @@ struct PlacedCondition {
     std::vector<std::string> faces;  ///< "x_min", …; empty if it holds in a region
     std::shared_ptr<Geometry> region;
 };
+
+/// What scenes call the grid's face normal to `axis`; side 0 is the lower one.
+inline std::string face_name(int axis, int side) {
+    return std::string(1, "xyz"[axis]) + (side == 0 ? "_min" : "_max");
+}
+
+template <class S>
+bool holds_on(const PlacedCondition<S>& placed, int axis, int side) {
+    return std::ranges::find(placed.faces, face_name(axis, side)) != placed.faces.end();
+}
 
 /// What happens to the nodes at and beyond the grid's faces, and in regions with prescribed velocity.
 ///
@@ -58,6 +69,7 @@ class Walls {
     struct Sum {
         std::array<double, 3> total{};
         double power = 0;
+        bool held = false;  ///< whether a node with mass obeyed the condition
     };
     void reaction(const Patch<S>& patch, NodeField source, NodeField value, double time,
                   std::vector<Sum>& sums) const;

@@ -2,6 +2,7 @@
 #include <matpoint/plugin.hpp>
 
 #include <optional>
+#include <stdexcept>
 
 namespace matpoint {
 
@@ -25,6 +26,10 @@ class BodyForce final : public Load<S> {
         return schema;
     }
 
+    void start(const Patch<S>& patch, std::span<Particles<S>> bodies) override {
+        if constexpr (S::axisymmetric) refuse_at_axis(patch, bodies);
+    }
+
     void apply(LoadContext<S>& context) const override {
         Patch<S>& patch = context.patch;
         const Real* mass = patch.column(NodeField::mass);
@@ -44,6 +49,20 @@ class BodyForce final : public Load<S> {
     }
 
   private:
+    /// Nothing is drawn along the radius where that is 0.
+    void refuse_at_axis(const Patch<S>& patch, std::span<Particles<S>> bodies) const {
+        if (patch.min()[0] != 0 || !acceleration_[0]) return;
+        for (const Particles<S>& particles : bodies)
+            for (Index p = 0; p < particles.size(); ++p) {
+                const auto x = particles.position(p);
+                if (x[0] < patch.cell_size()[0] && (*acceleration_[0])({0, static_cast<double>(x[1]), 0}, 0) != 0)
+                    throw std::invalid_argument(
+                        "body \"" + particles.body() +
+                        "\" is at the axis of the axisymmetric space: the acceleration along the radius x must be "
+                        "0 there, as a formula such as \"3*x\" is");
+            }
+    }
+
     std::vector<std::optional<Profile>> acceleration_;
 };
 

@@ -15,7 +15,13 @@ class Gravity final : public Load<S> {
 
     static Schema schema() {
         Schema schema("Uniform acceleration of all bodies", "[Chen & Brannon 2002, eq. 1-17b]");
-        schema.vector("acceleration", {.unit = "m/s^2", .doc = "Acceleration g"});
+        schema.vector("acceleration", {.unit = "m/s^2", .doc = "Acceleration g"})
+            .refuse("/acceleration",
+                    "x is the radius in an axisymmetric space, along which there is no uniform acceleration: "
+                    "give 0, or a formula of x with the load \"body_force\"",
+                    [](const Json& own, const Json& scene) {
+                        return scene.at("space").at("mode") == "axisymmetric" && own.at("acceleration")[0] != 0;
+                    });
         History::declare(schema);
         return schema;
     }
