@@ -103,7 +103,8 @@ TEST(AskedFor, FaceNeedNotWait) {
 
 /// At the end of a run of `steps` steps.
 std::vector<std::string> told_at_the_end(Json json, double upward, int steps) {
-    json["boundary_conditions"] = {{{"type", "fixed"}, {"on", box({0.3, 0.85}, {0.7, 0.95})}, {"waits", true}}};
+    json["boundary_conditions"] = {
+        {{"type", "fixed"}, {"on", box({0.3, 0.85}, {0.7, 0.95})}, {"waits", true}}};
     json["bodies"]["block"]["velocity"] = {0, upward};
     json["time"] = {{"end", 1}, {"step", 1e-3}, {"max_steps", steps}};
     Simulated run(json);
@@ -135,8 +136,9 @@ Json velocity(const Json& on, const Json& components) {
 
 TEST(AskedFor, RegionsThatPrescribeDifferentVelocitiesAtANodeAreRefused) {
     const Json left = box({0.25, 0.25}, {0.55, 0.75}), right = box({0.45, 0.25}, {0.75, 0.75});
-    EXPECT_TRUE(says(scene({velocity(left, {0, nullptr}), velocity(right, {1, 0})}),
-                     {"error: /boundary_conditions/1/on", "x component", "/boundary_conditions/0 prescribes 0"}));
+    EXPECT_TRUE(
+        says(scene({velocity(left, {0, nullptr}), velocity(right, {1, 0})}),
+             {"error: /boundary_conditions/1/on", "x component", "/boundary_conditions/0 prescribes 0"}));
     // Later only.
     EXPECT_TRUE(says(scene({velocity(left, {0, nullptr}), velocity(right, {"100*t", 0})}), {"error"}));
     // Not the same component, the same velocity, or no node in common.
@@ -166,7 +168,8 @@ TEST(AskedFor, EveryFaceThatTwoConditionsPrescribeIsRefused) {
 }
 
 TEST(AskedFor, ConditionThatLeavesAllFreeIsRefused) {
-    EXPECT_TRUE(says(scene({velocity("x_min", {nullptr, nullptr})}), {"error: /boundary_conditions/0/velocity"}));
+    EXPECT_TRUE(
+        says(scene({velocity("x_min", {nullptr, nullptr})}), {"error: /boundary_conditions/0/velocity"}));
 }
 
 // Bodies and the grid.
@@ -191,9 +194,11 @@ TEST(AskedFor, PlaneOfSymmetryMayCutABody) {
     const Json symmetry = {{{"type", "slip"}, {"on", {"x_min", "y_min"}}}};
     EXPECT_EQ(told(with_only(scene(symmetry), disk)), "");
     EXPECT_TRUE(says(with_only(scene({{{"type", "slip"}, {"on", "x_min"}}}), disk), {"y_min, and 50 %"}));
-    EXPECT_TRUE(says(with_only(scene({{{"type", "fixed"}, {"on", {"x_min", "y_min"}}}}), disk), {"x_min and y_min"}));
-    EXPECT_EQ(told(with_only(axisymmetric_scene(), {{"type", "sphere"}, {"center", {0, 0.5}}, {"radius", 0.3}})),
-              "");
+    EXPECT_TRUE(
+        says(with_only(scene({{{"type", "fixed"}, {"on", {"x_min", "y_min"}}}}), disk), {"x_min and y_min"}));
+    EXPECT_EQ(
+        told(with_only(axisymmetric_scene(), {{"type", "sphere"}, {"center", {0, 0.5}}, {"radius", 0.3}})),
+        "");
 }
 
 // Bodies and each other.
@@ -225,9 +230,9 @@ TEST(AskedFor, BodiesThatTouchDoNotOverlap) {
     const Json disk = {{"type", "sphere"}, {"center", {0.5, 0.8}}, {"radius", 0.1}};
     EXPECT_EQ(told(with_body(scene(), "disk", disk)), "");
     // A disk in a hole of its size.
-    const Json ring = {{"type", "difference"}, {"of", {box({0.3, 0.3}, {0.7, 0.7}), disk}}};
     const Json low_disk = {{"type", "sphere"}, {"center", {0.5, 0.6}}, {"radius", 0.15}};
-    Json holed = with_only(scene(), {{"type", "difference"}, {"of", {box({0.3, 0.3}, {0.7, 0.9}), low_disk}}});
+    Json holed =
+        with_only(scene(), {{"type", "difference"}, {"of", {box({0.3, 0.3}, {0.7, 0.9}), low_disk}}});
     EXPECT_EQ(told(with_body(holed, "disk", low_disk)), "");
 }
 
@@ -301,8 +306,12 @@ TEST(AskedFor, TractionWithoutAFaceIsRefused) {
 
 TEST(AskedFor, BoundaryLayerThickerThanTheBodyIsRefused) {
     Json json = scene();
-    json["loads"] = {{{"type", "traction"}, {"body", "block"}, {"face", "x_max"}, {"traction", {1e3, 0}},
-                      {"method", "boundary_layer"}, {"thickness", 0.5}}};
+    json["loads"] = {{{"type", "traction"},
+                      {"body", "block"},
+                      {"face", "x_max"},
+                      {"traction", {1e3, 0}},
+                      {"method", "boundary_layer"},
+                      {"thickness", 0.5}}};
     EXPECT_TRUE(says(json, {"error: /loads/0", "thicker than the body"}));
     json["loads"][0]["thickness"] = 0.4;
     EXPECT_EQ(told(json), "");
@@ -310,7 +319,9 @@ TEST(AskedFor, BoundaryLayerThickerThanTheBodyIsRefused) {
 
 TEST(AskedFor, ExactSolutionComparedWithNothingIsRefused) {
     Json json = scene();
-    json["exact_solution"] = {{"type", "free_flight"}, {"body", "block"}, {"velocity", {1, 0}},
+    json["exact_solution"] = {{"type", "free_flight"},
+                              {"body", "block"},
+                              {"velocity", {1, 0}},
                               {"within", box({0.8, 0.8}, {0.9, 0.9})}};
     EXPECT_TRUE(says(json, {"error: /exact_solution/within", "no particle"}));
     json["exact_solution"]["quantity"] = "nodal_velocity";
@@ -321,8 +332,11 @@ TEST(AskedFor, ExactSolutionComparedWithNothingIsRefused) {
 TEST(AskedFor, ErrorOfNothingIsNotZero) {
     Json json = scene();
     json["time"] = {{"end", 1}, {"step", 1e-4}, {"max_steps", 2}};
-    json["exact_solution"] = {{"type", "free_flight"}, {"body", "block"}, {"velocity", {1, 0}},
-                              {"quantity", "nodal_velocity"}, {"within", box({0.85, 0.85}, {0.95, 0.95})}};
+    json["exact_solution"] = {{"type", "free_flight"},
+                              {"body", "block"},
+                              {"velocity", {1, 0}},
+                              {"quantity", "nodal_velocity"},
+                              {"within", box({0.85, 0.85}, {0.95, 0.95})}};
     Simulated run(json);
     for (int k = 0; k < 2; ++k) {
         run->measure_error();
@@ -346,10 +360,11 @@ TEST(Naming, DoesNotDependOnOutputs) {
     Json json = scene();
     json["time"] = {{"end", 1}, {"step", 1e-3}};
     json["bodies"]["block"]["velocity"] = {"x > 0.65 && y > 0.65 ? 5 : 1", "2"};
-    const auto reason = [](const Json& json) {
-        const auto folder = std::filesystem::temp_directory_path() / ("matpoint_naming_" + std::to_string(getpid()));
+    const auto reason = [](const Json& own) {
+        const auto folder =
+            std::filesystem::temp_directory_path() / ("matpoint_naming_" + std::to_string(getpid()));
         PluginCatalogue catalogue;
-        const Scene scene = load_scene(parse_document(json.dump(), "scene.json"), {}, catalogue);
+        const Scene scene = load_scene(parse_document(own.dump(), "scene.json"), {}, catalogue);
         const RunResult result = run_scene(scene, catalogue, {.output = folder, .quiet = true});
         std::filesystem::remove_all(folder);
         return result.reason.substr(0, result.reason.find('\n'));

@@ -13,12 +13,12 @@ Schema with_density() {
 Schema with_place_and_name() {
     return Schema()
         .add("on", ParameterType::place, {.doc = "Grid faces, or the region, where the condition holds"})
-        .boolean("waits",
-                 {.doc = "In a region: whether it is meant that no body is there at the start",
-                  .default_value = false})
+        .boolean("waits", {.doc = "In a region: whether it is meant that no body is there at the start",
+                           .default_value = false})
         .text("name", {.doc = "What probes call the condition", .optional = true})
-        .refuse("/waits", "a face waits for bodies whatever is said: leave it out",
-                [](const Json& own, const Json&) { return own.at("on").is_array() && own.at("waits") == true; });
+        .refuse(
+            "/waits", "a face waits for bodies whatever is said: leave it out",
+            [](const Json& own, const Json&) { return own.at("on").is_array() && own.at("waits") == true; });
 }
 
 Schema with_name() {

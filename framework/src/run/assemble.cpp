@@ -307,9 +307,13 @@ Assembly<S> assemble(const Scene& scene, const Registry& registry) {
                       [&] { components.loads[k]->start(patch, result.bodies); });
     const SceneParts<S> parts{scene.resolved,        patch,      *components.shape,
                               components.conditions, geometries, result.bodies};
-    for (const Findings& findings : {check_conditions(parts), check_extents(parts), check_overlaps(parts),
-                                     check_axis(parts), check_measured(parts, within.get())})
-        maker.add(findings);
+    maker.attempt("/boundary_conditions", [&] { maker.add(check_conditions(parts)); });
+    maker.attempt("/bodies", [&] {
+        maker.add(check_extents(parts));
+        maker.add(check_overlaps(parts));
+    });
+    maker.attempt("", [&] { maker.add(check_axis(parts)); });
+    maker.add(check_measured(parts, within.get()));
     maker.throw_if_errors();
     result.warnings = maker.warnings();
     if (const ExactSolution* solution = components.exact_solution.get())

@@ -42,7 +42,8 @@ class BoxSamples {
   private:
     Eigen::Vector3d middle(Index k) const {
         const Index row = k / counts_[0];
-        const Eigen::Vector3d number(static_cast<double>(k % counts_[0]), static_cast<double>(row % counts_[1]),
+        const Eigen::Vector3d number(static_cast<double>(k % counts_[0]),
+                                     static_cast<double>(row % counts_[1]),
                                      static_cast<double>(row / counts_[1]));
         return box_.min + size_.cwiseProduct(number + Eigen::Vector3d::Constant(0.5));
     }

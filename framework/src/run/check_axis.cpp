@@ -39,10 +39,11 @@ void check_velocity(const SceneParts<S>& parts, const Particles<S>& particles, F
                                             "formula such as \"3*x\"",
                                             at_axis)});
     } else if (radial.is_number()) {
-        findings.push_back({false, pointer,
-                            fmt::format("x is the radius in an axisymmetric space: with this, rings widen and no "
-                                        "body travels. If that is meant, say it as a formula: \"{}\"",
-                                        radial.dump())});
+        findings.push_back(
+            {false, pointer,
+             fmt::format("x is the radius in an axisymmetric space: with this, rings widen and no "
+                         "body travels. If that is meant, say it as a formula: \"{}\"",
+                         radial.dump())});
     }
 }
 
@@ -68,12 +69,13 @@ void check_condition(const SceneParts<S>& parts, std::size_t number, Findings& f
                placed.condition->velocity(place, end)[0] != 0;
     });
     if (moves)
-        findings.push_back({true, pointer,
-                            fmt::format("holds on the axis of the axisymmetric space; {}", at_axis)});
+        findings.push_back(
+            {true, pointer, fmt::format("holds on the axis of the axisymmetric space; {}", at_axis)});
     else if (on_face && (prescribed[1] || !prescribed[0]))
-        findings.push_back({false, pointer + "/on",
-                            "\"x_min\" is the axis of the axisymmetric space, no wall: bodies move along it and not "
-                            "through it with a \"slip\" condition"});
+        findings.push_back(
+            {false, pointer + "/on",
+             "\"x_min\" is the axis of the axisymmetric space, no wall: bodies move along it and not "
+             "through it with a \"slip\" condition"});
 }
 
 }  // namespace

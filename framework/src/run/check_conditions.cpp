@@ -52,16 +52,16 @@ class Conflict {
                    there = parts_.conditions[other.condition].condition->prescribes(other.axis);
         for (std::size_t c = 0; c < S::dimension; ++c)
             if (prescribed[c] && there[c])
-                return fmt::format("prescribes the {} component of velocity on \"{}\", and so does {}", "xyz"[c],
-                                   face_name(one.axis, one.side), pointer_to(other.condition));
+                return fmt::format("prescribes the {} component of velocity on \"{}\", and so does {}",
+                                   "xyz"[c], face_name(one.axis, one.side), pointer_to(other.condition));
         return {};
     }
 
     std::optional<std::string> between(const Holding& region, const Holding& other) const {
         const Geometry& within = *parts_.conditions[region.condition].region;
         const Geometry* const also_within = parts_.conditions[other.condition].region.get();
-        NodeBox<S> nodes(parts_.patch, also_within ? common(within.bounds(), also_within->bounds())
-                                                   : within.bounds());
+        NodeBox<S> nodes(parts_.patch,
+                         also_within ? common(within.bounds(), also_within->bounds()) : within.bounds());
         if (other.axis >= 0) nodes.keep_face(parts_.patch, other.axis, other.side);
         std::optional<std::string> found;
         nodes.any([&](const typename Patch<S>::Coordinates& node) {
@@ -94,7 +94,8 @@ class Conflict {
                     16 * std::numeric_limits<Real>::epsilon() * std::max(std::abs(va), std::abs(vb));
                 if (!(std::abs(va - vb) > rounding)) continue;
                 return fmt::format(
-                    "prescribes {:.6g} m/s as the {} component of velocity at the node ({:.6g}) at t = {:.6g} s, "
+                    "prescribes {:.6g} m/s as the {} component of velocity at the node ({:.6g}) at t = "
+                    "{:.6g} s, "
                     "where {}{} prescribes {:.6g} m/s: let one of them end before the other",
                     va, "xyz"[i], fmt::join(place.data(), place.data() + S::dimension, ", "), time,
                     pointer_to(other.condition),
@@ -120,8 +121,9 @@ bool holds_a_node(const Patch<S>& patch, const Geometry& region) {
 template <class S>
 bool reached(const SceneParts<S>& parts, const Geometry& region) {
     using Vector = typename S::Vector;
-    const Eigen::Vector3d reach =
-        parts.shape.width() * parts.patch.cell_size().template cast<double>().maxCoeff() * Eigen::Vector3d::Ones();
+    const Eigen::Vector3d reach = parts.shape.width() *
+                                  parts.patch.cell_size().template cast<double>().maxCoeff() *
+                                  Eigen::Vector3d::Ones();
     const Eigen::Vector3d low = region.bounds().min - reach, high = region.bounds().max + reach;
     const auto touches = [&](const Particles<S>& particles, Index p) {
         const Vector x = particles.position(p);
@@ -169,7 +171,8 @@ Findings check_conditions(const SceneParts<S>& parts) {
         for (const Holding& other : all) {
             const bool in_order = other.condition < one.condition;
             if (one.axis < 0 ? other.axis >= 0 || in_order : in_order && one.is_same_face(other))
-                if (const auto found = one.axis < 0 ? conflict.between(one, other) : conflict.on_face(one, other))
+                if (const auto found =
+                        one.axis < 0 ? conflict.between(one, other) : conflict.on_face(one, other))
                     findings.push_back({true, pointer_to(one.condition) + "/on", *found});
         }
     return findings;
@@ -201,7 +204,7 @@ Findings check_measured(const SceneParts<S>& parts, const Geometry* within) {
                          nodes ? "node of the grid" : "particle of the solution's bodies")}};
 }
 
-#define MATPOINT_INSTANTIATE(S)                                \
+#define MATPOINT_INSTANTIATE(S)                                  \
     template Findings check_conditions<S>(const SceneParts<S>&); \
     template Findings check_measured<S>(const SceneParts<S>&, const Geometry*);
 MATPOINT_FOR_EACH_SPACE(MATPOINT_INSTANTIATE)

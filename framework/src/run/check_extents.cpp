@@ -69,8 +69,8 @@ class Extent {
             const std::vector<char> inside = geometry_.contains(places);
             double sum = 0;
             for (std::size_t k = 0; k < places.size(); ++k) {
-                const bool off = (places[k].array() < low_.array()).any() ||
-                                 (places[k].array() > high_.array()).any();
+                const bool off =
+                    (places[k].array() < low_.array()).any() || (places[k].array() > high_.array()).any();
                 if (inside[k] && (off || !only_off_grid)) sum += S::axisymmetric ? std::abs(places[k][0]) : 1;
             }
             return sum;
@@ -100,10 +100,11 @@ Findings check_extents(const SceneParts<S>& parts) {
         if (faces.empty()) continue;
         findings.push_back(
             {true, join_pointer("/bodies", parts.bodies[b].body()) + "/geometry",
-             fmt::format("the grid ends at {0}, and {1:.2g} % of the body is beyond: enlarge /grid, or cut the "
-                         "geometry there (\"intersection\"). A body goes on beyond a plane of symmetry, a "
-                         "\"slip\" condition on {0}",
-                         fmt::join(faces, " and "), 100 * extent.part_off_the_grid())});
+             fmt::format(
+                 "the grid ends at {0}, and {1:.2g} % of the body is beyond: enlarge /grid, or cut the "
+                 "geometry there (\"intersection\"). A body goes on beyond a plane of symmetry, a "
+                 "\"slip\" condition on {0}",
+                 fmt::join(faces, " and "), 100 * extent.part_off_the_grid())});
     }
     return findings;
 }

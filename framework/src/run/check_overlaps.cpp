@@ -95,9 +95,8 @@ class Domains {
         for (int z = first[2]; z <= last[2]; ++z)
             for (int y = first[1]; y <= last[1]; ++y)
                 for (int x = first[0]; x <= last[0]; ++x)
-                    for (const auto& [unused, domain] :
-                         std::ranges::equal_range(by_cell_, key({x, y, z}), {},
-                                                  &std::pair<std::int64_t, Domain>::first)) {
+                    for (const auto& [unused, domain] : std::ranges::equal_range(
+                             by_cell_, key({x, y, z}), {}, &std::pair<std::int64_t, Domain>::first)) {
                         const Eigen::Array3d distance = (domain.middle - point.position).cwiseAbs();
                         if ((distance <= half.array()).all() || (distance <= domain.half_size.array()).all())
                             return true;
@@ -171,7 +170,8 @@ class Overlap {
   private:
     /// What the bounds of two bodies have in common on the grid, if it is more than a face.
     std::optional<Geometry::Bounds> shared_box(std::size_t i, std::size_t j) const {
-        Geometry::Bounds box{bounds_[i].min.cwiseMax(bounds_[j].min), bounds_[i].max.cwiseMin(bounds_[j].max)};
+        Geometry::Bounds box{bounds_[i].min.cwiseMax(bounds_[j].min),
+                             bounds_[i].max.cwiseMin(bounds_[j].max)};
         for (int a = 0; a < S::dimension; ++a) {
             const auto low = static_cast<double>(parts_.patch.min()[a]),
                        high = static_cast<double>(parts_.patch.node_position(parts_.patch.cells())[a]);
@@ -183,7 +183,8 @@ class Overlap {
         return box;
     }
     Eigen::Vector3d spacing(std::size_t body) const {
-        const Json& per_cell = parts_.scene.at("bodies").at(parts_.bodies[body].body()).at("particles_per_cell");
+        const Json& per_cell =
+            parts_.scene.at("bodies").at(parts_.bodies[body].body()).at("particles_per_cell");
         Eigen::Vector3d spacing = Eigen::Vector3d::Ones();
         for (int a = 0; a < S::dimension; ++a)
             spacing[a] = static_cast<double>(parts_.patch.cell_size()[a]) /
@@ -218,13 +219,14 @@ Findings check_overlaps(const SceneParts<S>& parts) {
             const double smaller = std::min(volume_of(parts.bodies[i]), volume_of(parts.bodies[j]));
             findings.push_back(
                 {false, join_pointer("/bodies", other) + "/geometry",
-                 fmt::format("overlaps with body \"{0}\": {1:.2g} m{2} are filled by both, {3:.2g} % of the smaller "
-                             "one, and have the mass of both. If that is meant, say \"overlaps\": \"{0}\"",
-                             one, volume,
-                             S::dimension == 1                     ? ""
-                             : S::dimension == 2 && !S::axisymmetric ? "^2"
-                                                                     : "^3",
-                             100 * volume / smaller)});
+                 fmt::format(
+                     "overlaps with body \"{0}\": {1:.2g} m{2} are filled by both, {3:.2g} % of the smaller "
+                     "one, and have the mass of both. If that is meant, say \"overlaps\": \"{0}\"",
+                     one, volume,
+                     S::dimension == 1                       ? ""
+                     : S::dimension == 2 && !S::axisymmetric ? "^2"
+                                                             : "^3",
+                     100 * volume / smaller)});
         }
     return findings;
 }

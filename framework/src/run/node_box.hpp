@@ -31,8 +31,10 @@ class NodeBox {
                          h = static_cast<double>(patch.cell_size()[a]);
             const double cells = patch.cells()[i];
             constexpr double rounding = 1e-3;  // in cells; the region itself decides
-            first_[i] = static_cast<int>(std::clamp(std::ceil((box.min[a] - min) / h - rounding), 0.0, cells + 1));
-            last_[i] = static_cast<int>(std::clamp(std::floor((box.max[a] - min) / h + rounding), -1.0, cells));
+            first_[i] =
+                static_cast<int>(std::clamp(std::ceil((box.min[a] - min) / h - rounding), 0.0, cells + 1));
+            last_[i] =
+                static_cast<int>(std::clamp(std::floor((box.max[a] - min) / h + rounding), -1.0, cells));
             nodes *= std::max(0, last_[i] - first_[i] + 1);
         }
         stride_ = std::max(1, static_cast<int>(std::ceil(std::pow(nodes / 1e6, 1.0 / S::dimension))));

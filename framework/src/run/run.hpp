@@ -10,12 +10,12 @@
 namespace matpoint {
 
 struct RunOptions {
-    std::filesystem::path output;            ///< folder for results; made if missing
-    bool progress = false;                   ///< a progress line on stderr (the CLI sets it on a terminal)
-    bool quiet = false;                      ///< no closing table on stdout
-    bool keep_state = false;                 ///< the result holds the state at the end: as much memory again
+    std::filesystem::path output;  ///< folder for results; made if missing
+    bool progress = false;         ///< a progress line on stderr (the CLI sets it on a terminal)
+    bool quiet = false;            ///< no closing table on stdout
+    bool keep_state = false;       ///< the result holds the state at the end: as much memory again
     std::function<void(const std::string&)> warn{};  ///< told of each warning as soon as it is known
-    std::optional<CheckpointData> resume{};  ///< continue from this state
+    std::optional<CheckpointData> resume{};          ///< continue from this state
     std::optional<long> stop_after_steps{};  ///< stop as if interrupted after this many steps in all (tests)
 };
 

@@ -19,12 +19,14 @@ class Velocity final : public BoundaryCondition<S> {
 
     static Schema schema() {
         Schema schema("Components of velocity are prescribed", "[Chen & Brannon 2002, sec. 2]");
-        schema.add(
-            "velocity", ParameterType::profiles,
-            {.unit = "m/s", .doc = "Numbers, tables of t, or formulas of x, y, z, t; null leaves one free"})
+        schema
+            .add("velocity", ParameterType::profiles,
+                 {.unit = "m/s",
+                  .doc = "Numbers, tables of t, or formulas of x, y, z, t; null leaves one free"})
             .refuse("/velocity", "every component is left free: the condition prescribes nothing",
                     [](const Json& own, const Json&) {
-                        return std::ranges::all_of(own.at("velocity"), [](const Json& component) { return component.is_null(); });
+                        return std::ranges::all_of(own.at("velocity"),
+                                                   [](const Json& component) { return component.is_null(); });
                     });
         return schema;
     }

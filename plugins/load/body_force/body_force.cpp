@@ -55,11 +55,12 @@ class BodyForce final : public Load<S> {
         for (const Particles<S>& particles : bodies)
             for (Index p = 0; p < particles.size(); ++p) {
                 const auto x = particles.position(p);
-                if (x[0] < patch.cell_size()[0] && (*acceleration_[0])({0, static_cast<double>(x[1]), 0}, 0) != 0)
-                    throw std::invalid_argument(
-                        "body \"" + particles.body() +
-                        "\" is at the axis of the axisymmetric space: the acceleration along the radius x must be "
-                        "0 there, as a formula such as \"3*x\" is");
+                if (x[0] < patch.cell_size()[0] &&
+                    (*acceleration_[0])({0, static_cast<double>(x[1]), 0}, 0) != 0)
+                    throw std::invalid_argument("body \"" + particles.body() +
+                                                "\" is at the axis of the axisymmetric space: the "
+                                                "acceleration along the radius x must be "
+                                                "0 there, as a formula such as \"3*x\" is");
             }
     }
 

@@ -20,7 +20,8 @@ class Gravity final : public Load<S> {
                     "x is the radius in an axisymmetric space, along which there is no uniform acceleration: "
                     "give 0, or a formula of x with the load \"body_force\"",
                     [](const Json& own, const Json& scene) {
-                        return scene.at("space").at("mode") == "axisymmetric" && own.at("acceleration")[0] != 0;
+                        return scene.at("space").at("mode") == "axisymmetric" &&
+                               own.at("acceleration")[0] != 0;
                     });
         History::declare(schema);
         return schema;
