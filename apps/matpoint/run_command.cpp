@@ -1,11 +1,14 @@
 #include "run_command.hpp"
 
 #include "config/diagnostics.hpp"
+#include "run/left_over.hpp"
 #include "study/recommendation.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <iostream>
 
 namespace matpoint {
@@ -31,6 +34,18 @@ void print_recommendation(const Scene& scene) {
     if (const auto advice = recommendation(scene, fronts_folder())) std::cerr << *advice << "\n";
 }
 
+/// Files in the folder of an earlier run that belong to outputs which the scene hasn't got: next to the new
+/// results they would pass for such.
+void warn_of_leftovers(const std::filesystem::path& folder, const Scene& scene, PluginCatalogue& catalogue) {
+    const std::vector<std::string> files = left_over(folder, scene, catalogue);
+    if (files.empty()) return;
+    constexpr std::size_t most = 5;
+    std::cerr << fmt::format("warning: {} keeps files of an earlier run that this one does not write: {}{}\n",
+                             folder.string(),
+                             fmt::join(files.begin(), files.begin() + std::min(most, files.size()), ", "),
+                             files.size() > most ? fmt::format(" and {} more", files.size() - most) : "");
+}
+
 int run_to_end(const Scene& scene, PluginCatalogue& catalogue, const po::variables_map& values,
                const std::filesystem::path& default_output, std::optional<CheckpointData> resume) {
     print_recommendation(scene);
@@ -41,6 +56,7 @@ int run_to_end(const Scene& scene, PluginCatalogue& catalogue, const po::variabl
     options.progress = !quiet && isatty(STDERR_FILENO) == 1;
     options.quiet = quiet;
     options.warn = [](const std::string& warning) { std::cerr << warning << "\n"; };
+    if (!resume) warn_of_leftovers(options.output, scene, catalogue);
     options.resume = std::move(resume);
     const RunResult result = run_scene(scene, catalogue, options);
     if (result.status != RunStatus::completed) std::cerr << result.reason << "\n";

@@ -9,7 +9,7 @@ unset MATPOINT_PLUGIN_PATH
     echo "# Components"
     echo
     echo "Written by [make_reference.sh](make_reference.sh) from \`matpoint list\` and \`matpoint describe\`. Sections are the"
-    echo "kinds of component, headings the names that a scene gives as \`\"type\"\`."
+    echo "kinds of component, headings the names that a scene gives as \`\"type\"\`. What a formula is made of: [formulas](formulas.md)."
     "$matpoint" list | while IFS= read -r line; do
         if [[ $line =~ ^([a-z_]+):\ (.*)$ ]]; then
             kind=${BASH_REMATCH[1]}

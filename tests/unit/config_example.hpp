@@ -51,6 +51,13 @@ class FakeCatalogue final : public Catalogue {
         add("boundary_condition", "velocity",
             Schema().add("value", ParameterType::profiles, {.unit = "m/s"}));
         add("output", "csv", Schema().add("fields", ParameterType::texts, {.default_value = "velocity"}));
+        add("output", "probe", Schema().text("name", {}).writes("<name>.csv"));
+        add("output", "tables",
+            Schema()
+                .text("name", {})
+                .add("body", ParameterType::reference, {.optional = true, .section = "bodies"})
+                .writes("<name>_<body>_<number>.csv")
+                .writes("<name>_times.csv"));
     }
     const Schema* find(const std::string& kind, const std::string& type) override {
         const auto found = schemas_.find({kind, type});
@@ -85,13 +92,14 @@ inline const char* const example_scene = R"json({
   "bodies": {
     "disk": { "material": "rubber", "particles_per_cell": 9,
               "geometry": { "type": "box", "min": [0, 0], "max": [1, 1] } },
-    "plane": { "material": "rubber", "velocity": ["0.1*sin(pi*x)", { "times": [0, "1 ms"], "values": [0, "36 km/h"] }],
+    "plane": { "material": "rubber", "velocity": ["0.1*sin(pi*x)", "36 km/h"],
                "geometry": { "type": "union", "of": [ { "type": "stl", "file": "meshes/plane.stl" } ] } }
   },
   "contacts": [ { "type": "coulomb", "between": ["disk", "plane"], "friction": 0.5 } ],
   "boundary_conditions": [
     { "type": "fixed", "on": "y_min" },
-    { "type": "velocity", "on": { "type": "box", "min": [0, 0], "max": [1, 1] }, "value": [null, "2 cm/s"] }
+    { "type": "velocity", "on": { "type": "box", "min": [0, 0], "max": [1, 1] }, "value": [null, "2 cm/s"] },
+    { "type": "velocity", "on": "y_max", "value": [{ "times": [0, "1 ms"], "values": [0, "36 km/h"] }, null] }
   ],
   "outputs": [ { "type": "csv", "every": "1 ms", "fields": "stress" } ]
 }

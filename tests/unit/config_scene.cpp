@@ -25,8 +25,9 @@ TEST(scene, resolves_units_lists_and_defaults) {
     EXPECT_EQ(r["bodies"]["disk"]["velocity"], Json({0, 0}));
     EXPECT_EQ(r["bodies"]["plane"]["particles_per_cell"], Json({2, 2}));
     EXPECT_EQ(r["bodies"]["plane"]["velocity"][0], "0.1*sin(pi*x)");
-    EXPECT_DOUBLE_EQ(r["bodies"]["plane"]["velocity"][1]["times"][1].get<double>(), 1e-3);
-    EXPECT_DOUBLE_EQ(r["bodies"]["plane"]["velocity"][1]["values"][1].get<double>(), 10);
+    EXPECT_DOUBLE_EQ(r["bodies"]["plane"]["velocity"][1].get<double>(), 10);
+    EXPECT_DOUBLE_EQ(r["boundary_conditions"][2]["value"][0]["times"][1].get<double>(), 1e-3);
+    EXPECT_DOUBLE_EQ(r["boundary_conditions"][2]["value"][0]["values"][1].get<double>(), 10);
     EXPECT_EQ(r["boundary_conditions"][0]["on"], Json::array({"y_min"}));
     EXPECT_EQ(r["boundary_conditions"][1]["on"]["type"], "box");
     EXPECT_EQ(r["boundary_conditions"][1]["value"], Json({nullptr, 0.02}));
@@ -127,7 +128,8 @@ TEST(scene, reports_each_mistake_in_words) {
         {{"/bodies/disk/velocity=[1, \"2 kg\"]"}, "/bodies/disk/velocity/1: \"2 kg\" is neither a formula"},
         {{"/bodies/disk/velocity=[1, null]"},
          "/bodies/disk/velocity/1: an initial velocity can't be left free"},
-        {{"/bodies/plane/velocity/1/times/1=0"}, "/bodies/plane/velocity/1: a table's times increase"},
+        {{"/boundary_conditions/2/value/0/times/1=0"},
+         "/boundary_conditions/2/value/0: a table's times increase"},
         {{"/boundary_conditions/0/on=z_max"},
          "/boundary_conditions/0/on: no face \"z_max\"; expected one of x_min, x_max, y_min, y_max"},
         {{"/boundary_conditions/1/value=[1]"}, "/boundary_conditions/1/value: expected a list of 2 item(s)"},
@@ -257,6 +259,45 @@ TEST(scene, refuses_what_would_do_nothing_or_never_end) {
     for (const auto& [setting, words] : cases)
         EXPECT_NE(mistakes_of(setting).find(words), std::string::npos) << setting << "\n"
                                                                        << mistakes_of(setting);
+}
+
+TEST(scene, refuses_outputs_that_write_one_file) {
+    const auto complaint = [](const std::string& first, const std::string& second) {
+        return complaints({"/outputs=[" + first + ", " + second + "]"});
+    };
+    const std::string tables = R"({"type": "tables", "name": "p"})";
+    const auto probe = [](const std::string& name) {
+        return R"({"type": "probe", "name": ")" + name + "\"}";
+    };
+    const auto clash = [](const std::string& file) {
+        return "--set /outputs: error: /outputs/1/name: it would write " + file +
+               ", as /outputs/0 does: choose another name";
+    };
+    EXPECT_EQ(complaint(tables, probe("p_times")), clash("p_times.csv"));
+    EXPECT_EQ(complaint(probe("p_times"), tables), clash("p_times.csv"));
+    EXPECT_EQ(complaint(tables, probe("p_disk_000017")), clash("p_disk_000017.csv"));
+    EXPECT_EQ(complaint(tables, tables), clash("p_disk_000000.csv"));
+    EXPECT_EQ(complaint(R"({"type": "tables", "name": "p", "body": "disk"})",
+                        R"({"type": "tables", "name": "p", "body": "plane"})"),
+              clash("p_times.csv"));
+    EXPECT_EQ(complaint(probe("a"), probe("a")), clash("a.csv"));
+    for (const char* other : {"p", "p_disk", "p_disk_17", "p_disk_00001x", "p_other_000017", "times"})
+        EXPECT_EQ(complaint(tables, probe(other)), "");
+    EXPECT_EQ(complaint(tables, R"({"type": "tables", "name": "p_disk"})"), "");
+}
+
+TEST(scene, tells_what_only_the_start_of_a_run_reads) {
+    EXPECT_EQ(resolve().start_only,
+              (std::vector<std::string>{"/space", "/grid", "/materials/rubber/density",
+                                        "/bodies/disk/particles_per_cell", "/bodies/disk/velocity",
+                                        "/bodies/disk/geometry", "/bodies/plane/particles_per_cell",
+                                        "/bodies/plane/velocity", "/bodies/plane/geometry"}));
+}
+
+TEST(scene, warns_of_checkpoints_that_never_come) {
+    EXPECT_EQ(complaints({"/checkpoint={\"every\": \"10 ms\"}"}), "");
+    EXPECT_EQ(complaints({"/checkpoint={\"every\": \"11 ms\"}"}),
+              "--set /checkpoint: warning: /checkpoint/every: no state is ever saved: the run ends before\n");
 }
 
 }  // namespace

@@ -35,8 +35,9 @@ class GeometryTest : public testing::Test {
                             : dimension == 2 ? Mode::plane_strain
                                              : Mode::solid,
                             false};
+        const auto warn = [this](const std::string& text) { warnings.push_back(text); };
         return catalogue.registry().make<Geometry>("geometry", own,
-                                                   {space, folder, &catalogue.registry(), nullptr});
+                                                   {space, folder, &catalogue.registry(), nullptr, warn});
     }
 
     /// What make() throws; empty if it throws nothing.
@@ -64,6 +65,7 @@ class GeometryTest : public testing::Test {
 
     std::filesystem::path folder;
     PluginCatalogue catalogue;
+    std::vector<std::string> warnings;
 
   private:
     const Schema& schema_of(const Json& own) {

@@ -154,11 +154,14 @@ TEST_F(GeometryStl, FlippedFacesDoNotMatter) {
     EXPECT_EQ(flipped->contains(points), sound->contains(points));
 }
 
-TEST_F(GeometryStl, SmallHolesAreVotedAway) {
+TEST_F(GeometryStl, SmallHolesAreVotedAwayWithAWarning) {
     Mesh mesh = sphere(4);
     const auto sound = make_stl(binary(mesh));
+    EXPECT_TRUE(warnings.empty());
     for (const std::size_t t : {1500, 700, 11}) mesh.erase(mesh.begin() + static_cast<std::ptrdiff_t>(t));
     const auto holed = make_stl(binary(mesh));
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_SAYS(warnings[0], "mesh.stl: its surface is open: 9 edges border on holes");
     const auto points = lattice(*sound, 0.05, 3);
     const std::vector<char> expected = sound->contains(points), found = holed->contains(points);
     std::size_t different = 0;

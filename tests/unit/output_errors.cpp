@@ -31,7 +31,9 @@ class FailingOutput : public OutputTest, public testing::WithParamInterface<cons
     std::shared_ptr<Output> make_output() {
         Json own{{"type", GetParam()}, {"name", "o"}};
         if (own["type"] == "probe") own["quantity"] = "mass";
-        return make(own);
+        const auto output = make(own);
+        output->check(run);
+        return output;
     }
 };
 

@@ -68,6 +68,7 @@ inline FakeRun plane_strain_run() {
     FakeRun run;
     run.data["disk"] = {{"id", {{0, 1, 2}}},
                         {"mass", {{1, 2, 5}}},
+                        {"volume", {{1, 1, 1}}},
                         {"position", {{0.1, 0.2, 0.3}, {1.1, 1.2, 1.3}}},
                         {"initial_position", {{0.0, 1.0, 2.0}, {0.0, 1.0, 2.0}}},
                         {"velocity", {{1.0 / 3, -2, 3}, {4, 5, 6e-300}}},

@@ -10,6 +10,7 @@ class ProbeTest : public OutputTest {
         own["type"] = "probe";
         own["name"] = "p";
         const auto probe = make(own);
+        probe->check(run);
         probe->open(run, folder, -1);
         write_at(*probe, 0.5, 5);
         return text_of("p.csv");
@@ -69,6 +70,7 @@ TEST_F(ProbeTest, ADeletedParticleHasNoValueAndOthersKeepTheirs) {
                              {"body", "disk"},
                              {"particle", 1},
                              {"field", "plastic_strain"}});
+    probe->check(run);
     probe->open(run, folder, -1);
     run.data["disk"]["id"] = {{1, 2}};
     run.data["disk"]["plastic_strain"] = {{0.25, 0.125}};
@@ -77,6 +79,49 @@ TEST_F(ProbeTest, ADeletedParticleHasNoValueAndOthersKeepTheirs) {
     run.data["disk"]["plastic_strain"] = {{0.125}};
     write_at(*probe, 1, 1);
     EXPECT_EQ(text_of("p.csv"), "time,plastic_strain\n0,0.25\n1,nan\n");
+}
+
+TEST_F(ProbeTest, APlaceFarFromEveryParticleIsRefused) {
+    const auto at = [&](double x, double y) {
+        return error_of([&] {
+            table({{"quantity", "particle"}, {"body", "disk"}, {"at", {x, y}}, {"field", "velocity"}});
+        });
+    };
+    // Particles of size 1 at (0, 0), (1, 1), (2, 2): "far" is beyond three sizes.
+    EXPECT_EQ(at(2, 4.99), "");
+    EXPECT_SAYS(
+        at(2, 5.5),
+        "`at` (2, 5.5) is far from body \"disk\": the nearest particle, number 2 at (2, 2), is 3.5 m away");
+    run.data["disk"]["volume"] = {{0.25, 1e-6, 0.25}};  // cut ones are no measure
+    EXPECT_EQ(at(2, 3.49), "");
+    EXPECT_SAYS(at(2, 3.51), "is 1.51 m away");
+    // A ring's volume is not its size.
+    run.id = {Mode::axisymmetric, false};
+    run.data["disk"]["position"] = {{100, 101, 102}, {0, 1, 2}};
+    run.data["disk"]["initial_position"] = run.data["disk"]["position"];
+    run.data["disk"]["volume"] = {{2 * 3.14159265 * 100, 2 * 3.14159265 * 101, 2 * 3.14159265 * 102}};
+    EXPECT_EQ(at(102, 4.99), "");
+    EXPECT_SAYS(at(102, 5.01), "is 3.01 m away");
+}
+
+TEST_F(ProbeTest, AParticleThatWasDeletedIsNotReplacedOnResumption) {
+    const Json by_number{{"type", "probe"}, {"name", "p"},   {"quantity", "particle"},
+                         {"body", "disk"},  {"particle", 2}, {"field", "plastic_strain"}};
+    Json by_place = by_number;
+    by_place.erase("particle");
+    by_place["at"] = {2, 2};
+    for (const Json& own : {by_number, by_place}) {
+        FakeRun started = run;
+        const auto probe = make(own);
+        probe->check(started);
+        started.data["disk"]["id"] = {{0, 1}};
+        started.data["disk"]["plastic_strain"] = {{0.5, 0.25}};
+        started.data["disk"]["initial_position"] = {{0, 1}, {0, 1}};
+        probe->open(started, folder, 1);
+        started.now = 2;
+        probe->write(started);
+        EXPECT_SAYS(text_of("p.csv"), "\n2,nan\n");
+    }
 }
 
 TEST_F(ProbeTest, AsksForTheFieldsItNeeds) {
@@ -137,8 +182,13 @@ TEST_F(ProbeTest, WhatTheRunLacksIsNamed) {
 
 TEST_F(ProbeTest, ARowIsOnTheDiskAtOnceAndLaterOnesAreCutOnResumption) {
     const Json own{{"type", "probe"}, {"name", "p"}, {"quantity", "mass"}, {"body", "disk"}};
-    const auto probe = make(own);
-    probe->open(run, folder, -1);
+    const auto opened = [&](double resumed_at) {
+        const auto probe = make(own);
+        probe->check(run);
+        probe->open(run, folder, resumed_at);
+        return probe;
+    };
+    const auto probe = opened(-1);
     for (int k = 0; k < 4; ++k) {
         write_at(*probe, k / 3.0, k);
         EXPECT_SAYS(text_of("p.csv"), k == 1 ? "0.3333333333333333,8\n" : ",8\n");
@@ -147,22 +197,23 @@ TEST_F(ProbeTest, ARowIsOnTheDiskAtOnceAndLaterOnesAreCutOnResumption) {
     EXPECT_EQ(text_of("p.csv"), "time,mass\n0,8\n0.3333333333333333,8\n0.6666666666666666,8\n1,8\n");
 
     std::ofstream(folder / "p.csv", std::ios::app) << "1.33";  // killed while it wrote
-    const auto resumed = make(own);
-    resumed->open(run, folder, 2 / 3.0);
+    const auto resumed = opened(2 / 3.0);
     run.data["disk"]["mass"] = {{3}};
     write_at(*resumed, 2 / 3.0, 2);
     write_at(*resumed, 5, 6);
     EXPECT_EQ(text_of("p.csv"), "time,mass\n0,8\n0.3333333333333333,8\n0.6666666666666666,8\n5,3\n");
 
-    make(own)->open(run, folder, -1);
+    opened(-1);
     EXPECT_EQ(text_of("p.csv"), "time,mass\n");
     std::ofstream(folder / "p.csv") << "time,centroid_x\n";
-    EXPECT_SAYS(error_of([&] { make(own)->open(run, folder, 1); }), "has the columns time,centroid_x");
+    EXPECT_SAYS(error_of([&] { opened(1); }), "has the columns time,centroid_x");
 }
 
 TEST_F(ProbeTest, AHalfWrittenRowIsDropped) {
     std::ofstream(folder / "p.csv") << "time,mass\n0,8\n1,12";
-    make({{"type", "probe"}, {"name", "p"}, {"quantity", "mass"}})->open(run, folder, 1);
+    const auto probe = make({{"type", "probe"}, {"name", "p"}, {"quantity", "mass"}});
+    probe->check(run);
+    probe->open(run, folder, 1);
     EXPECT_EQ(text_of("p.csv"), "time,mass\n0,8\n");
 }
 

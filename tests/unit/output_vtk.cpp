@@ -1,5 +1,6 @@
 #include <zlib.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -168,6 +169,35 @@ TEST_F(OutputTest, VtkSeriesIsWholeAfterEveryWriteAndGoesOnAfterTheCheckpoint) {
     EXPECT_EQ(array_of<std::int32_t>(text_of("s_000002.vtp"), "body", "Int32", 1),
               std::vector<std::int32_t>{1});
     EXPECT_FALSE(exists("s_000003.vtp"));
+}
+
+TEST_F(OutputTest, FilesOfAnEarlierRunGoAndOthersStay) {
+    for (const char* file :
+         {"s_000000.vtp", "s_000007.vtp", "s_1000000.vtp", "s_000008.vtp.tmp", "s_00001.vtp", "s_000000.vtu",
+          "other_000000.vtp", "s_x_000000.vtp", "t_disk_000003.csv", "t_plane_000004.csv.tmp",
+          "t_third_000003.csv", "t_disk_notes.csv"})
+        std::ofstream(folder / file) << "old";
+    const auto vtk = make({{"type", "vtk"}, {"name", "s"}}), csv = make({{"type", "csv"}, {"name", "t"}});
+    for (const auto& output : {vtk, csv}) {
+        output->open(run, folder, -1);
+        write_at(*output, 0, 0);
+        write_at(*output, 1, 1);
+    }
+    std::vector<std::string> files;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        files.push_back(entry.path().filename().string());
+    std::sort(files.begin(), files.end());
+    EXPECT_EQ(files,
+              (std::vector<std::string>{"other_000000.vtp", "s.pvd", "s_00001.vtp", "s_000000.vtp",
+                                        "s_000000.vtu", "s_000001.vtp", "s_x_000000.vtp", "t_disk_000000.csv",
+                                        "t_disk_000001.csv", "t_disk_notes.csv", "t_plane_000000.csv",
+                                        "t_plane_000001.csv", "t_third_000003.csv", "t_times.csv"}));
+    // One that resumes keeps what was before.
+    for (const auto& output :
+         {make({{"type", "vtk"}, {"name", "s"}}), make({{"type", "csv"}, {"name", "t"}})})
+        output->open(run, folder, 0.5);
+    EXPECT_TRUE(exists("s_000000.vtp") && exists("t_disk_000000.csv") && exists("t_plane_000000.csv"));
+    EXPECT_FALSE(exists("s_000001.vtp") || exists("t_disk_000001.csv") || exists("t_plane_000001.csv"));
 }
 
 }  // namespace

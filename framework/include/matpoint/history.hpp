@@ -36,11 +36,18 @@ class History {
                     {.unit = "s", .doc = "Length of a pulse", .optional = true, .greater_than = 0})
             .add("times", ParameterType::numbers, {.unit = "s", .doc = "Times of a table", .optional = true})
             .add("values", ParameterType::numbers, {.doc = "Factors of a table", .optional = true})
-            .profile("value", {.doc = "Factor as a formula of t", .optional = true});
+            .profile("value", {.doc = "Factor as a formula of t", .optional = true, .variables = "t"});
         only_with(*nested, "duration", "pulse");
         only_with(*nested, "times", "table");
         only_with(*nested, "values", "table");
         only_with(*nested, "value", "formula");
+        nested->refuse("/start", "belongs to types \"step\" and \"pulse\"", [](const Json& own, const Json&) {
+            return (own.at("type") == "table" || own.at("type") == "formula") && own.at("start") != 0;
+        });
+        nested->warn("/start", "the load never acts: the run ends before",
+                     [](const Json& own, const Json& scene) {
+                         return own.at("start").get<double>() >= scene.at("time").at("end").get<double>();
+                     });
         nested->refuse(
             "/times", "a table needs as many times as values, and times that increase",
             [](const Json& own, const Json&) { return own.at("type") == "table" && !is_table(own); });

@@ -54,8 +54,8 @@ class Output : public Component {
     virtual std::vector<std::string> required_fields() const { return {}; }
     /// Body whose fields are required; empty for all.
     virtual std::string body() const { return {}; }
-    /// Throws std::exception with the reason if the scene lacks what the output observes; nothing is
-    /// written yet.
+    /// Called once when the bodies are seeded, at a restart too. Throws std::exception with the reason if
+    /// the scene lacks what the output observes; nothing is written yet.
     virtual void check(const RunView&) {}
     /// Before the first step. `resumed_at` is the time (s) of the checkpoint that is being continued,
     /// below zero for a fresh run: what was written after it is dropped, what was before is kept.

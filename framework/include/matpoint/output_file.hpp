@@ -53,9 +53,14 @@ class TimeTable {
     double last_time_ = 0;
 };
 
-/// Adds the parameter `name` of an output that names its files by it: letters, digits, _ - and
-/// dots, and a name that no other output of the same type has.
-void add_file_name(Schema& schema, ParameterOptions options);
+/// Adds the parameter `name` of an output that names its files by it: letters, digits, _ - and dots.
+/// `files` are those that it writes, as Schema::writes has them: "<name>.csv".
+void add_file_name(Schema& schema, ParameterOptions options, const std::vector<std::string>& files);
+
+/// Removes the files `before`<number>`after` of a folder with numbers from `first` on, finished or not: what
+/// an earlier run wrote there, or the run that resumes wrote after its checkpoint.
+void remove_numbered(const std::filesystem::path& folder, const std::string& before, const std::string& after,
+                     std::size_t first);
 
 /// The bodies that an output sees: the one named, or all if the name is empty.
 std::vector<std::string> observed_bodies(const RunView& run, const std::string& body);

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <memory>
 
 namespace matpoint {
@@ -22,6 +23,7 @@ class Parameters {
         std::filesystem::path folder;        ///< the scene's folder; file parameters are relative to it
         const Registry* registry = nullptr;  ///< makes nested components
         const Json* scene = nullptr;         ///< the whole resolved scene
+        std::function<void(const std::string&)> warn{};  ///< takes what warn() says
     };
 
     Parameters(const Json& own, const Context& context) : own_(&own), context_(&context) {}
@@ -42,6 +44,11 @@ class Parameters {
     /// A nested component of kind geometry.
     std::shared_ptr<Geometry> geometry(const char* name) const;
     std::vector<std::shared_ptr<Geometry>> geometries(const char* name) const;
+
+    /// Tells the user of something that works, but that they may not have meant.
+    void warn(const std::string& text) const {
+        if (context_->warn) context_->warn(text);
+    }
 
     const Json& json() const { return *own_; }
     const Context& context() const { return *context_; }

@@ -4,11 +4,24 @@
 
 #include <array>
 #include <memory>
+#include <stdexcept>
+#include <string>
 
 namespace matpoint {
 
-/// A value given as a number, a formula of x, y, z, t (pi is known; sin, exp, min, ?: …), or a
-/// table in time, linear between its points and constant outside. Evaluation is not thread-safe.
+/// A formula has no finite value at a place and time, as 1/t has none at t = 0; what() says all three.
+class FormulaError : public std::domain_error {
+  public:
+    FormulaError(std::string formula, const std::string& what)
+        : std::domain_error(what), formula_(std::move(formula)) {}
+    const std::string& formula() const { return formula_; }
+
+  private:
+    std::string formula_;
+};
+
+/// A value given as a number, a formula of x, y, z, t (docs/formulas.md), or a table in time, linear
+/// between its points and constant outside. Evaluation is not thread-safe.
 class Profile {
   public:
     /// From a resolved parameter. Throws std::invalid_argument with the reason if a formula can't
@@ -19,7 +32,10 @@ class Profile {
     Profile& operator=(Profile) noexcept;
     ~Profile();
 
+    /// Throws FormulaError where a formula has no finite value.
     double operator()(const std::array<double, 3>& position, double time) const;
+    /// Those of x, y, z and t that the value depends on: "xt".
+    std::string variables() const;
 
   private:
     struct Formula;

@@ -25,7 +25,7 @@ enum class ParameterType {
     per_axis,    ///< a number for all axes, or one per dimension; resolved to one per dimension
     numbers,     ///< a list of numbers of any length
     texts,       ///< a string or a list of strings; resolved to a list
-    profile,     ///< a number, a formula of x, y, z, t, or {"times": [...], "values": [...]}
+    profile,     ///< a number, a formula of `variables`, or {"times": [...], "values": [...]}
     profiles,    ///< one profile per dimension; null leaves that component free
     reference,   ///< a name in the scene's section `section` ("bodies", "materials")
     references,  ///< a name or a list of names there; resolved to a list
@@ -46,11 +46,13 @@ struct ParameterOptions {
     std::string paper{};                  ///< where the symbol comes from, "[Author Year, eq. n]"
     std::optional<Json> default_value{};  ///< absent: the parameter must be given, unless `optional`
     bool optional = false;                ///< may be absent, with no default
+    bool start_only = false;              ///< what the start makes of it is kept: a restart can't change it
     std::optional<double> at_least{};
     std::optional<double> at_most{};
     std::optional<double> greater_than{};
     std::optional<double> less_than{};
     std::vector<std::string> choices{};  ///< for ParameterType::choice
+    std::string variables = "xyzt";      ///< for profile(s): what a formula may depend on
     std::string section{};               ///< for reference(s): "bodies" or "materials"
     std::string kind{};                  ///< for component(s): the kind, "geometry"
     std::shared_ptr<Schema> nested{};    ///< for object
@@ -106,6 +108,9 @@ class Schema {
         dimensions_ = std::move(d);
         return *this;
     }
+    /// A file of an output in the run's folder, "<name>_<body>_<number>.csv": <body> is each body that it
+    /// writes, <number> six digits or more, and any other <key> the text of a parameter.
+    Schema& writes(std::string file);
     Schema& refuse(std::string pointer, std::string reason,
                    std::function<bool(const Json&, const Json&)> applies);
     Schema& warn(std::string pointer, std::string reason,
@@ -115,6 +120,7 @@ class Schema {
     const std::string& paper() const { return paper_; }
     const std::vector<Parameter>& parameters() const { return parameters_; }
     const std::vector<int>& dimensions() const { return dimensions_; }
+    const std::vector<std::string>& files() const { return files_; }
     const std::vector<Rule>& rules() const { return rules_; }
     const Parameter* find(std::string_view name) const;
 
@@ -123,6 +129,7 @@ class Schema {
     std::string paper_;
     std::vector<Parameter> parameters_;
     std::vector<int> dimensions_{1, 2, 3};
+    std::vector<std::string> files_;
     std::vector<Rule> rules_;
 };
 

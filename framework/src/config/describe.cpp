@@ -47,6 +47,7 @@ Json to_json(const std::vector<const Parameter*>& parameters) {
         if (p->greater_than) one["greater_than"] = *p->greater_than;
         if (p->less_than) one["less_than"] = *p->less_than;
         if (!p->choices.empty()) one["choices"] = p->choices;
+        if (p->start_only) one["start_only"] = true;
         if (!p->section.empty()) one["section"] = p->section;
         if (!p->kind.empty()) one["kind"] = p->kind;
         if (p->nested) {
@@ -75,6 +76,7 @@ std::string describe_text(const Kind& kind, const std::string& type, const Schem
     if (!doc.empty()) text += doc + "\n";
     const std::string parameters = table(parameters_of(kind, schema), "  ");
     if (!parameters.empty()) text += "\nParameters\n" + parameters;
+    if (!schema.files().empty()) text += fmt::format("\nFiles: {}\n", fmt::join(schema.files(), ", "));
     if (kind.decides_accuracy)
         text += "\nWhat it costs and gains beside the others: framework/docs/what_accuracy_costs.md\n";
     const std::vector<const Rule*> rules = rules_of(kind, schema);
@@ -96,6 +98,7 @@ Json describe_json(const Kind& kind, const std::string& type, const Schema& sche
             {"paper", schema.paper()},
             {"dimensions", schema.dimensions()},
             {"parameters", to_json(parameters_of(kind, schema))},
+            {"files", schema.files()},
             {"rules", rules}};
 }
 

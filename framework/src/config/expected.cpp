@@ -27,8 +27,13 @@ std::string list_of_numbers(const ParameterOptions& o, int dimension) {
     return fmt::format("a list of {}{}", numbers, restrictions(o));
 }
 
-constexpr const char* one_profile =
-    "a number, a formula of x, y, z, t, or {\"times\": [...], \"values\": [...]}";
+std::string one_profile(const ParameterOptions& o, int dimension) {
+    const std::string variables = usable_variables(o, dimension);
+    const bool in_time = variables.find('t') != variables.npos;
+    return fmt::format("a number{} a formula of {}{}", in_time ? "," : " or",
+                       fmt::join(variables.begin(), variables.end(), ", "),
+                       in_time ? ", or {\"times\": [...], \"values\": [...]}" : "");
+}
 
 }  // namespace
 
@@ -105,12 +110,12 @@ std::string expected(const Parameter& p, int dimension) {
         case ParameterType::texts:
             return "text or a list of texts";
         case ParameterType::profile:
-            return one_profile + restrictions(p);
+            return one_profile(p, dimension) + restrictions(p);
         case ParameterType::profiles:
             return fmt::format(
                 "a list of {}, each null, {}{}",
-                dimension == 0 ? "one item per dimension" : fmt::format("{} item(s)", dimension), one_profile,
-                restrictions(p));
+                dimension == 0 ? "one item per dimension" : fmt::format("{} item(s)", dimension),
+                one_profile(p, dimension), restrictions(p));
         case ParameterType::reference:
             return fmt::format("a name in /{}", p.section);
         case ParameterType::references:
@@ -130,6 +135,12 @@ std::string expected(const Parameter& p, int dimension) {
             break;
     }
     return "anything";
+}
+
+std::string usable_variables(const ParameterOptions& options, int dimension) {
+    std::string usable = options.variables;
+    if (dimension > 0) std::erase_if(usable, [&](char v) { return v != 't' && v - 'x' >= dimension; });
+    return usable;
 }
 
 std::string shown(const Json& value) {

@@ -16,6 +16,9 @@ std::string expected(const Parameter& parameter, int dimension = 0);
 /// The same for one number of a parameter that is made of numbers.
 std::string expected_number(const ParameterOptions& options, bool whole = false);
 
+/// Those of a profile's variables that a space of this dimension has.
+std::string usable_variables(const ParameterOptions& options, int dimension);
+
 /// A value as messages show it: JSON, cut if it is long.
 std::string shown(const Json& value);
 

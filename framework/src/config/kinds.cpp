@@ -6,8 +6,9 @@ namespace matpoint {
 namespace {
 
 Schema with_density() {
-    return Schema().number("density",
-                           {.unit = "kg/m^3", .doc = "Initial mass per volume", .greater_than = 0});
+    return Schema().number(
+        "density",
+        {.unit = "kg/m^3", .doc = "Initial mass per volume", .start_only = true, .greater_than = 0});
 }
 
 Schema with_place_and_name() {

@@ -1,8 +1,10 @@
 #include <matpoint/profile.hpp>
 
+#include <fmt/format.h>
 #include <muParser.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <numbers>
 #include <stdexcept>
@@ -43,6 +45,24 @@ struct Profile::Formula {
         }
         if (parser.GetNumResults() != 1) throw std::invalid_argument("a formula has one value");
     }
+
+    double operator()(const std::array<double, 3>& position, double time) {
+        variables = {position[0], position[1], position[2], time};
+        const double value = parser.Eval();
+        if (std::isfinite(value)) return value;
+        std::string what = fmt::format("the formula \"{}\" is {} at t = {:.6g} s", text,
+                                       std::isnan(value) ? "not a number" : "infinite", time);
+        for (const char name : used())
+            if (name != 't')
+                what += fmt::format(", {} = {:.6g} m", name, position[static_cast<std::size_t>(name - 'x')]);
+        throw FormulaError(text, what);
+    }
+
+    std::string used() const {
+        std::string names;
+        for (const auto& variable : parser.GetUsedVar()) names += variable.first;
+        return names;
+    }
 };
 
 Profile::Profile(const Json& value) {
@@ -80,10 +100,7 @@ Profile& Profile::operator=(Profile other) noexcept {
 Profile::~Profile() = default;
 
 double Profile::operator()(const std::array<double, 3>& position, double time) const {
-    if (formula_) {
-        formula_->variables = {position[0], position[1], position[2], time};
-        return formula_->parser.Eval();
-    }
+    if (formula_) return (*formula_)(position, time);
     if (times_.empty()) return constant_;
     const auto after =
         static_cast<std::size_t>(std::upper_bound(times_.begin(), times_.end(), time) - times_.begin());
@@ -91,6 +108,11 @@ double Profile::operator()(const std::array<double, 3>& position, double time) c
     if (after == times_.size()) return values_.back();
     const double part = (time - times_[after - 1]) / (times_[after] - times_[after - 1]);
     return values_[after - 1] + part * (values_[after] - values_[after - 1]);
+}
+
+std::string Profile::variables() const {
+    if (formula_) return formula_->used();
+    return times_.empty() ? "" : "t";
 }
 
 }  // namespace matpoint

@@ -1,6 +1,7 @@
 #include "config/scene.hpp"
 
 #include "config/expected.hpp"
+#include "config/output_files.hpp"
 #include "config/validate.hpp"
 
 #include <fmt/format.h>
@@ -127,6 +128,34 @@ void check_sections(Json& resolved, int dimension, Validator& validator) {
     if (resolved["bodies"].is_object()) check_bodies(resolved["bodies"], validator);
 }
 
+/// Two outputs that write one file would each lose what the other writes.
+void check_output_files(const Json& resolved, Catalogue& catalogue, Validator& validator) {
+    struct Claim {
+        OutputFileNames files;
+        std::string owner;
+    };
+    std::vector<Claim> claims;
+    for (const char* file : {"resolved.json", "summary.json"}) claims.push_back({{file}, "every run"});
+    const Json& outputs = resolved.at("outputs");
+    for (std::size_t k = 0; k < outputs.size(); ++k) {
+        const Schema& schema = *catalogue.find("output", outputs[k].at("type").get<std::string>());
+        const std::string at = fmt::format("/outputs/{}", k);
+        std::vector<Claim> own;
+        for (OutputFileNames& files : output_files(outputs[k], resolved, schema)) {
+            const auto other = std::find_if(claims.begin(), claims.end(),
+                                            [&](const Claim& claim) { return claim.files.meets(files); });
+            if (other != claims.end()) {
+                validator.error(at + "/name",
+                                fmt::format("it would write {}, as {} does: choose another name",
+                                            files.example(), other->owner));
+                break;
+            }
+            own.push_back({std::move(files), at});
+        }
+        claims.insert(claims.end(), own.begin(), own.end());
+    }
+}
+
 SpaceId space_of(const Json& space) {
     const std::string mode = space.at("mode");
     return {.mode = mode == "bar"            ? Mode::bar
@@ -169,11 +198,18 @@ Scene resolve_scene(Document document, Catalogue& catalogue) {
     for (const auto& file : plugin_files(document)) plugins.push_back(file.string());
     resolved["plugins"] = plugins;
     validator.check_rules(resolved);
+    validator.check_formulas(resolved);
+    check_output_files(resolved, catalogue, validator);
     diagnostics.throw_if_errors();
 
     const SpaceId space = space_of(resolved["space"]);
     const std::filesystem::path folder = folder_of(document);
-    return {std::move(resolved), std::move(document), space, diagnostics.all(), folder};
+    return {.resolved = std::move(resolved),
+            .document = std::move(document),
+            .space = space,
+            .warnings = diagnostics.all(),
+            .start_only = validator.start_only(),
+            .folder = folder};
 }
 
 }  // namespace matpoint

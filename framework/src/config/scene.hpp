@@ -17,7 +17,8 @@ struct Scene {
     Document document;  ///< what the user wrote
     SpaceId space;
     std::vector<Diagnostic> warnings;
-    std::filesystem::path folder;  ///< absolute; files are relative to it
+    std::vector<std::string> start_only;  ///< JSON pointers of what only the start of a run reads
+    std::filesystem::path folder;         ///< absolute; files are relative to it
 };
 
 /// The whole scene file, version 1.

@@ -55,14 +55,21 @@ Schema body_schema() {
         .add("particles_per_cell", ParameterType::per_axis,
              {.doc = "A number in all, or one per axis; by default 2 per axis",
               .default_value = 2,
+              .start_only = true,
               .at_least = 1})
         .add("velocity", ParameterType::profiles,
-             {.unit = "m/s", .doc = "Initial velocity by position", .default_value = 0})
+             {.unit = "m/s",
+              .doc = "Initial velocity by position",
+              .default_value = 0,
+              .start_only = true,
+              .variables = "xyz"})
         .add("overlaps", ParameterType::references,
              {.doc = "Bodies that may fill the same space, with the mass of both",
               .default_value = Json::array(),
+              .start_only = true,
               .section = "bodies"})
-        .add("geometry", ParameterType::component, {.doc = "The region to fill", .kind = "geometry"});
+        .add("geometry", ParameterType::component,
+             {.doc = "The region to fill", .start_only = true, .kind = "geometry"});
 }
 
 Schema accuracy_schema() {
@@ -81,7 +88,7 @@ Schema checkpoint_schema() {
     schema.refuse(
         "", "give `every` or `every_steps`: without one, no state is saved",
         [](const Json& own, const Json&) { return !own.contains("every") && !own.contains("every_steps"); });
-    schema.warn("/every", "the run ends before the first state is saved",
+    schema.warn("/every", "no state is ever saved: the run ends before",
                 [](const Json& own, const Json& scene) {
                     return own.value("every", 0.0) > scene.at("/time/end"_json_pointer).get<double>();
                 });
@@ -108,8 +115,8 @@ Schema make_scene_schema() {
         .text("comment", {.doc = "For readers", .optional = true})
         .text("$schema", {.doc = "The JSON Schema, for editors", .optional = true})
         .add("space", ParameterType::object,
-             {.doc = "Space of the simulation", .nested = nested(space_schema())})
-        .add("grid", ParameterType::component, {.doc = "Background grid", .kind = "grid"})
+             {.doc = "Space of the simulation", .start_only = true, .nested = nested(space_schema())})
+        .add("grid", ParameterType::component, {.doc = "Background grid", .start_only = true, .kind = "grid"})
         .add("shape_function", ParameterType::component,
              {.doc = "Grid basis and particle domain",
               .default_value = type("linear"),
@@ -132,7 +139,10 @@ Schema make_scene_schema() {
         .add("boundary_conditions", ParameterType::components,
              {.doc = "On grid faces or regions", .default_value = none, .kind = "boundary_condition"})
         .add("exact_solution", ParameterType::component,
-             {.doc = "Turns error measurement on", .optional = true, .kind = "exact_solution"})
+             {.doc = "Turns error measurement on",
+              .optional = true,
+              .start_only = true,
+              .kind = "exact_solution"})
         .add("outputs", ParameterType::components, {.doc = "Files", .default_value = none, .kind = "output"})
         .add("accuracy", ParameterType::object,
              {.doc = "Accuracy that is wanted; answered with a recommendation",

@@ -9,6 +9,11 @@ Schema& Schema::add(std::string name, ParameterType type, ParameterOptions o) {
     return *this;
 }
 
+Schema& Schema::writes(std::string file) {
+    files_.push_back(std::move(file));
+    return *this;
+}
+
 Schema& Schema::refuse(std::string pointer, std::string reason,
                        std::function<bool(const Json&, const Json&)> applies) {
     rules_.push_back({true, std::move(pointer), std::move(reason), std::move(applies)});

@@ -3,12 +3,67 @@
 #include "config/expected.hpp"
 #include "config/kinds.hpp"
 
+#include <matpoint/profile.hpp>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
+#include <optional>
 
 namespace matpoint {
+namespace {
+
+using Places = std::vector<std::array<double, 3>>;
+
+/// A few places spread over the grid, if it says its corners.
+Places places_in(const Json& grid, int dimension) {
+    constexpr int per_axis = 4;
+    Places places{{}};
+    if (!grid.contains("min") || !grid.contains("max")) return places;
+    for (int a = 0; a < dimension; ++a) {
+        const auto axis = static_cast<std::size_t>(a);
+        const double min = grid["min"][axis].get<double>(), max = grid["max"][axis].get<double>();
+        for (std::size_t p = places.size(); p-- > 0;)
+            for (int k = 0; k < per_axis; ++k) {
+                std::array<double, 3> place = places[p];
+                place[axis] = min + (k + 0.5) / per_axis * (max - min);
+                if (k == 0)
+                    places[p] = place;
+                else
+                    places.push_back(place);
+            }
+    }
+    return places;
+}
+
+/// Why a formula has no finite value at some time from 0 to `end`, if that is so. One of x has some at any
+/// time: where it is evaluated, only the run knows, and places that never have a value prove nothing.
+std::optional<std::string> without_value(const Profile& formula, const Places& places, double end) {
+    constexpr int intervals = 100;
+    const bool in_space = formula.variables().find_first_of("xyz") != std::string::npos;
+    bool has_value = !in_space;
+    std::optional<std::string> first;
+    for (int k = 0; k <= intervals; ++k) {
+        std::string reason;
+        const bool found =
+            std::any_of(places.begin(), in_space ? places.end() : places.begin() + 1, [&](const auto& place) {
+                try {
+                    formula(place, end * k / intervals);
+                    return true;
+                } catch (const FormulaError& error) {
+                    reason = error.what();
+                    return false;
+                }
+            });
+        has_value = has_value || found;
+        if (!found && !first) first = reason;
+    }
+    return has_value ? first : std::nullopt;
+}
+
+}  // namespace
 
 Validator::Validator(const Document& document, Catalogue& catalogue, int dimension, Diagnostics& diagnostics)
     : document_(document),
@@ -83,6 +138,7 @@ Json Validator::members(const std::vector<const Parameter*>& parameters, const J
         } else if (!may_be_null) {
             error(at, fmt::format("missing key \"{}\": expected {}", p->name, expected(*p, dimension_)));
         }
+        if (p->start_only && resolved.contains(p->name)) start_only_.push_back(pointer);
     }
     for (const auto& member : own.items()) {
         const bool known = (member.key() == "type" && !kind.empty()) ||
@@ -137,6 +193,15 @@ void Validator::check_rules(const Json& scene) {
                     document_.diagnostic(pending.pointer + rule.pointer, rule.reason, rule.refuses));
             }
         }
+    }
+}
+
+void Validator::check_formulas(const Json& scene) {
+    const double end = scene.at("time").at("end").get<double>();
+    const auto positions = places_in(scene.at("grid"), dimension_);
+    for (const std::string& pointer : formulas_in_time_) {
+        const Profile formula(scene.at(Json::json_pointer(pointer)));
+        if (const auto reason = without_value(formula, positions, end)) error(pointer, *reason);
     }
 }
 

@@ -27,6 +27,10 @@ class Validator {
 
     /// The rules of every component met so far, on the whole resolved scene.
     void check_rules(const Json& scene);
+    /// That formulas of t have a value at the start and the end of the run, and in between.
+    void check_formulas(const Json& scene);
+    /// Pointers of the values met so far that only the start of a run reads.
+    const std::vector<std::string>& start_only() const { return start_only_; }
 
     void error(const std::string& at, std::string message);
 
@@ -68,6 +72,7 @@ class Validator {
     std::filesystem::path folder_;
     Units units_;
     std::vector<PendingRules> pending_;
+    std::vector<std::string> formulas_in_time_, start_only_;
 };
 
 }  // namespace matpoint

@@ -154,18 +154,24 @@ Json Validator::texts(const Parameter& p, const Json& given, const std::string& 
 Json Validator::profile(const Parameter& p, const Json& given, const std::string& at) {
     if (given.is_number()) return number(p, given, at);
     if (given.is_string()) return formula_or_quantity(p, given, at);
-    if (given.is_object() && given.size() == 2 && given.contains("times") && given.contains("values")) {
-        return table(p, given, at);
-    }
-    error(at,
-          fmt::format("expected {}, got {}", expected({{p}, p.name, ParameterType::profile}), shown(given)));
+    const bool is_table =
+        given.is_object() && given.size() == 2 && given.contains("times") && given.contains("values");
+    if (is_table && p.variables.find('t') != p.variables.npos) return table(p, given, at);
+    mismatch({{p}, p.name, ParameterType::profile}, given, at);
     return given;
 }
 
 Json Validator::formula_or_quantity(const Parameter& p, const Json& given, const std::string& at) {
+    const Parameter one{{p}, p.name, ParameterType::profile};
+    const std::string usable = usable_variables(p, dimension_);
     std::string not_a_formula;
     try {
-        Profile{given};
+        std::string foreign = Profile(given).variables();
+        std::erase_if(foreign, [&](char v) { return usable.find(v) != usable.npos; });
+        if (!foreign.empty())
+            error(at, fmt::format("expected {}, got {}, which depends on {}", expected(one, dimension_),
+                                  shown(given), fmt::join(foreign.begin(), foreign.end(), ", ")));
+        if (usable.find('t') != usable.npos) formulas_in_time_.push_back(at);
         return given;
     } catch (const std::invalid_argument& e) {
         not_a_formula = e.what();
@@ -173,8 +179,9 @@ Json Validator::formula_or_quantity(const Parameter& p, const Json& given, const
     try {
         units_.to_si(given.get_ref<const std::string&>(), p.unit);
     } catch (const std::invalid_argument& not_a_quantity) {
-        error(at, fmt::format("{} is neither a formula of x, y, z, t ({}) nor a quantity ({})", shown(given),
-                              not_a_formula, not_a_quantity.what()));
+        error(at, fmt::format("{} is neither a formula of {} ({}) nor a quantity ({})", shown(given),
+                              fmt::join(usable.begin(), usable.end(), ", "), not_a_formula,
+                              not_a_quantity.what()));
         return given;
     }
     return number(p, given, at);

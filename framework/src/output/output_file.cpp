@@ -15,6 +15,9 @@ namespace matpoint {
 
 namespace {
 
+/// Ends the name of a file that is being written.
+constexpr std::string_view unfinished = ".tmp";
+
 [[noreturn]] void throw_not_written(const std::filesystem::path& file, int error) {
     throw std::runtime_error(
         fmt::format("can't write {}: {}", file.string(), error ? std::strerror(error) : "the stream failed"));
@@ -32,7 +35,7 @@ std::string number_text(double value, int digits) {
 }
 
 OutputFile::OutputFile(std::filesystem::path file) : file_(std::move(file)), aside_(file_) {
-    aside_ += ".tmp";
+    aside_ += unfinished;
     errno = 0;
     stream_.open(aside_, std::ios::binary | std::ios::trunc);
     if (!stream_) throw_not_written(file_, errno);
@@ -100,22 +103,31 @@ void TimeTable::append(double time, const std::vector<std::string>& values) {
     ++rows_;
 }
 
-void add_file_name(Schema& schema, ParameterOptions options) {
+void add_file_name(Schema& schema, ParameterOptions options, const std::vector<std::string>& files) {
     schema.text("name", std::move(options));
     schema.refuse("/name", "a file name is expected: letters, digits, \"_\", \"-\" and \".\"",
                   [](const Json& own, const Json&) {
                       static const std::regex plain("[A-Za-z0-9_.-]+");
                       return !std::regex_match(own.at("name").get<std::string>(), plain);
                   });
-    schema.refuse("/name",
-                  "another output of this type has the same name, and each would overwrite the other's files",
-                  [](const Json& own, const Json& scene) {
-                      const Json& outputs = scene.at("outputs");
-                      return std::count_if(outputs.begin(), outputs.end(), [&](const Json& other) {
-                                 return other.value("type", "") == own.at("type").get<std::string>() &&
-                                        other.value("name", "") == own.at("name").get<std::string>();
-                             }) > 1;
-                  });
+    for (const std::string& file : files) schema.writes(file);
+}
+
+void remove_numbered(const std::filesystem::path& folder, const std::string& before, const std::string& after,
+                     std::size_t first) {
+    static const std::regex digits("\\d{6,18}");
+    std::vector<std::filesystem::path> found;
+    std::error_code missing;  // the first write tells
+    for (const auto& entry : std::filesystem::directory_iterator(folder, missing)) {
+        const std::string name = entry.path().filename().string();
+        const std::string_view end = name.ends_with(unfinished) ? unfinished : "";
+        if (!name.starts_with(before) || !name.ends_with(after + std::string(end))) continue;
+        if (name.size() < before.size() + after.size() + end.size()) continue;
+        const std::string number =
+            name.substr(before.size(), name.size() - before.size() - after.size() - end.size());
+        if (std::regex_match(number, digits) && std::stoull(number) >= first) found.push_back(entry.path());
+    }
+    for (const std::filesystem::path& file : found) std::filesystem::remove(file);
 }
 
 std::vector<std::string> observed_bodies(const RunView& run, const std::string& body) {

@@ -3,6 +3,7 @@
 #include <matpoint/exact_solution.hpp>
 #include <matpoint/geometry.hpp>
 
+#include "config/formula_places.hpp"
 #include "particles/seeding.hpp"
 #include "run/derived_fields.hpp"
 #include "run/scene_checks.hpp"
@@ -23,13 +24,20 @@ class Maker {
     Maker(const Scene& scene, const Registry& registry)
         : scene_(scene),
           registry_(registry),
-          context_{scene.space, scene.folder, &registry, &scene.resolved} {
+          context_{.space = scene.space,
+                   .folder = scene.folder,
+                   .registry = &registry,
+                   .scene = &scene.resolved,
+                   .warn = [this](const std::string& text) {
+                       diagnostics_.add(scene_.document.diagnostic(pointer_, text, false));
+                   }} {
         for (const Diagnostic& warning : scene.warnings) diagnostics_.add(warning);
     }
 
     template <class C>
     std::shared_ptr<C> make(const std::string& kind, const std::string& pointer) {
         std::shared_ptr<C> made;
+        pointer_ = pointer;
         attempt(pointer, [&] { made = registry_.make<C>(kind, json(pointer), context_); });
         return made;
     }
@@ -39,6 +47,9 @@ class Maker {
             action();
         } catch (const std::invalid_argument& mistake) {
             diagnostics_.add(scene_.document.diagnostic(pointer, mistake.what()));
+        } catch (const FormulaError& mistake) {
+            for (const std::string& place : formula_places(scene_.resolved, mistake.formula()))
+                diagnostics_.add(scene_.document.diagnostic(place, mistake.what()));
         }
     }
     void mistake(const std::string& pointer, const std::string& text) {
@@ -64,6 +75,7 @@ class Maker {
     const Scene& scene_;
     const Registry& registry_;
     Parameters::Context context_;
+    std::string pointer_;  ///< of what is being made
     Diagnostics diagnostics_;
 };
 
@@ -319,12 +331,15 @@ Assembly<S> assemble(const Scene& scene, const Registry& registry) {
     if (const ExactSolution* solution = components.exact_solution.get())
         for (Particles<S>& particles : result.bodies) {
             if (!solution->covers(particles.body())) continue;
-            start_exactly(*solution, particles);
-            for (const Field field : {Field::velocity_gradient, Field::affine_velocity})
-                if (particles.has(field))
-                    set_exact_gradient(*solution, particles, field,
-                                       1e-3 * static_cast<double>(patch.cell_size()[0]));
+            maker.attempt("/exact_solution", [&] {
+                start_exactly(*solution, particles);
+                for (const Field field : {Field::velocity_gradient, Field::affine_velocity})
+                    if (particles.has(field))
+                        set_exact_gradient(*solution, particles, field,
+                                           1e-3 * static_cast<double>(patch.cell_size()[0]));
+            });
         }
+    maker.throw_if_errors();
     return result;
 }
 

@@ -59,6 +59,11 @@ std::string describe_fault(const Moment& moment, const Particles<S>& particles, 
     return who + " has a velocity, stress or wave speed that is not finite." + step;
 }
 
+std::string describe_formula(const Moment& moment, const std::vector<std::string>& places,
+                             const FormulaError& error) {
+    return fmt::format("{}{}: {}", at(moment), fmt::join(places, ", "), error.what());
+}
+
 std::string describe_standstill(const Moment& moment) {
     return at(moment) +
            "the step is too short for the time to advance: a particle or wave speed has become huge or is "

@@ -2,7 +2,10 @@
 
 #include "step/engine.hpp"
 
+#include <matpoint/profile.hpp>
+
 #include <string>
+#include <vector>
 
 namespace matpoint {
 
@@ -19,6 +22,9 @@ std::string describe_stray(const Moment& moment, const Particles<S>& particles, 
 template <class S>
 std::string describe_fault(const Moment& moment, const Particles<S>& particles, const Fault& fault,
                            double stable_step);
+/// `places` are the formula's JSON pointers.
+std::string describe_formula(const Moment& moment, const std::vector<std::string>& places,
+                             const FormulaError& error);
 /// A step that leaves the time where it is.
 std::string describe_standstill(const Moment& moment);
 std::string describe_unstable_step(const Moment& moment, double stable_step, double wave_speed,

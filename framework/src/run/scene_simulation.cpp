@@ -1,5 +1,6 @@
 #include "run/scene_simulation.hpp"
 
+#include "config/formula_places.hpp"
 #include "run/derived_fields.hpp"
 
 #include <fmt/format.h>
@@ -30,6 +31,7 @@ SceneSimulation<S>::SceneSimulation(const Scene& scene, PluginCatalogue& catalog
         cfl_ = time.at("cfl").get<double>();
     if (time.contains("wave_speed"))
         step_length_ = std::exchange(cfl_, 0) * smallest_cell_ / time.at("wave_speed").get<double>();
+    numbers_.fixed_step = step_length_;
     for (const PluginLibrary& plugin : catalogue.opened()) plugins_[plugin.name()] = plugin.version();
 
     engine_.prepare();
@@ -88,7 +90,12 @@ void SceneSimulation<S>::advance() {
     if (guarded_) guard_step(dt);
     if (!(time_ + dt > time_)) throw Breakdown(describe_standstill({step_, time_, dt}));
 
-    engine_.step(step_, time_, dt, last_time_step_);
+    try {
+        engine_.step(step_, time_, dt, last_time_step_);
+    } catch (const FormulaError& error) {
+        const auto places = formula_places(Json::parse(scene_text_), error.formula());
+        throw Breakdown(describe_formula({step_, time_, dt}, places, error));
+    }
     const Tally& tally = engine_.tally();
     if (guarded_ && !engine_.faults().empty()) {
         const Fault& fault = engine_.faults().front();
@@ -100,7 +107,9 @@ void SceneSimulation<S>::advance() {
     for (std::size_t c = 0; c < 3; ++c) numbers_.given_momentum[c] += tally.impulse[c];
     last_time_step_ = dt;
     ++step_;
-    time_ = step_length_ > 0 ? static_cast<double>(step_) * step_length_ : time_ + dt;
+    time_ = step_length_ > 0 ? numbers_.fixed_from_time +
+                                   (static_cast<double>(step_) - numbers_.fixed_from_step) * step_length_
+                             : time_ + dt;
     account();
     if (finished()) warn_of_idle_parts();
 }

@@ -61,6 +61,9 @@ class SceneSimulation final : public Simulation {
         std::array<double, 3> given_momentum{};  // kg m/s, at the start and by all impulses since
         double largest_momentum = 0, momentum_drift = 0;
         double wave_speed = 0, particle_speed = 0;  // m/s
+        /// A fixed step, s, and the step and time (s) from which it is counted: those of a restart that
+        /// changed it.
+        double fixed_step = 0, fixed_from_step = 0, fixed_from_time = 0;
         ErrorSums error;
         /// Every number by name, for checkpoints.
         template <class Numbers_, class Visitor>

@@ -134,6 +134,9 @@ void SceneSimulation<S>::Numbers::visit(Numbers_& n, const Visitor& visitor) {
     visitor("momentum_drift", n.momentum_drift);
     visitor("wave_speed", n.wave_speed);
     visitor("particle_speed", n.particle_speed);
+    visitor("fixed_step", n.fixed_step);
+    visitor("fixed_from_step", n.fixed_from_step);
+    visitor("fixed_from_time", n.fixed_from_time);
     visitor("error_count", n.error.count);
     visitor("error_sum", n.error.sum);
     visitor("error_squares", n.error.squares);
@@ -209,6 +212,11 @@ void SceneSimulation<S>::restore(const CheckpointData& data) {
     for (std::size_t k = 0; k < engine_.held().size(); ++k)
         if (const auto held = data.numbers.find(held_name(k)); held != data.numbers.end())
             engine_.held()[k] = held->second != 0;
+    if (numbers_.fixed_step != step_length_) {
+        numbers_.fixed_step = step_length_;
+        numbers_.fixed_from_step = static_cast<double>(step_);
+        numbers_.fixed_from_time = time_;
+    }
     for (std::size_t b = 0; b < assembly_.bodies.size(); ++b) {
         Particles<S>& particles = assembly_.bodies[b];
         const auto body = std::find_if(

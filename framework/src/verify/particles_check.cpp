@@ -60,6 +60,11 @@ CheckResult evaluate(const Json& check, const FinishedRun& run) {
     }
 
     const Profile formula(check.at("formula"));
+    const std::string missing =
+        std::string("xyz").substr(static_cast<std::size_t>(simulation->space().dimension()));
+    if (const auto axis = formula.variables().find_first_of(missing); axis != std::string::npos)
+        throw std::runtime_error(
+            fmt::format("the formula depends on {}, which the space has not", formula.variables()[axis]));
     const double time = simulation->time();
     Norms norms;
     std::size_t worst = 0;

@@ -55,7 +55,7 @@ CheckResult evaluate(const Json& check, const FinishedRun& run) {
 CheckKind probe_check() {
     Schema schema("A column of a probe's file, at all its times, against a formula");
     schema.text("probe", {.doc = "Name of a probe among the scene's outputs"})
-        .profile("formula", {.doc = "What the value should be at time t (s)"})
+        .profile("formula", {.doc = "What the value should be at time t (s)", .variables = "t"})
         .text("column", {.doc = "Column of the file; needed if it has several beside time", .optional = true})
         .number("from", {.unit = "s", .doc = "Earlier rows are left out", .optional = true})
         .number("to", {.unit = "s", .doc = "Later rows are left out", .optional = true})

@@ -19,7 +19,7 @@ class Velocity final : public BoundaryCondition<S> {
 
     static Schema schema() {
         Schema schema("Components of velocity are prescribed", "[Chen & Brannon 2002, sec. 2]");
-        schema
+        return schema
             .add("velocity", ParameterType::profiles,
                  {.unit = "m/s",
                   .doc = "Numbers, tables of t, or formulas of x, y, z, t; null leaves one free"})
@@ -28,7 +28,6 @@ class Velocity final : public BoundaryCondition<S> {
                         return std::ranges::all_of(own.at("velocity"),
                                                    [](const Json& component) { return component.is_null(); });
                     });
-        return schema;
     }
 
     std::array<bool, 3> prescribes(int) const override {

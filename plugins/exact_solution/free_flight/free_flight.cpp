@@ -16,7 +16,9 @@ class FreeFlight final : public ExactSolution {
             "[Wallstedt & Guilkey 2007, section 3]");
         schema
             .add("velocity", ParameterType::profiles,
-                 {.unit = "m/s", .doc = "Velocity by initial position: numbers or formulas of x, y, z"})
+                 {.unit = "m/s",
+                  .doc = "Velocity by initial position: numbers or formulas of x, y, z",
+                  .variables = "xyz"})
             .warn("/velocity",
                   "no stress is exact for a material with \"youngs_modulus\": 0 only, unless the "
                   "velocity is the same everywhere",

@@ -23,7 +23,12 @@ class Stl final : public Geometry {
             .dimensions({3});
     }
     explicit Stl(const Parameters& parameters) : mesh_(read_mesh(parameters)) {
-        if (mesh_.open_edges() > 0) refuse_undecidable(parameters.file("file").string());
+        if (mesh_.open_edges() == 0) return;
+        const std::string name = parameters.file("file").string();
+        refuse_undecidable(name);
+        parameters.warn(
+            name + ": its surface is open: " + std::to_string(mesh_.open_edges()) +
+            " edges border on holes; what is inside was told by lines along x, y and z, by majority");
     }
 
     Bounds bounds() const override { return {mesh_.min(), mesh_.max()}; }

@@ -1,6 +1,7 @@
 #include <matpoint/load.hpp>
 #include <matpoint/plugin.hpp>
 
+#include <algorithm>
 #include <optional>
 #include <stdexcept>
 
@@ -20,10 +21,12 @@ class BodyForce final : public Load<S> {
 
     static Schema schema() {
         Schema schema("Force per mass, given by position and time", "[Chen & Brannon 2002, eq. 1-17b]");
-        schema.add(
-            "acceleration", ParameterType::profiles,
-            {.unit = "m/s^2", .doc = "Components of b: numbers, tables of t, or formulas of x, y, z, t"});
-        return schema;
+        return schema
+            .add("acceleration", ParameterType::profiles,
+                 {.unit = "m/s^2", .doc = "Components of b: numbers, tables of t, or formulas of x, y, z, t"})
+            .refuse("/acceleration", "has no component: there is no force", [](const Json& own, const Json&) {
+                return std::ranges::all_of(own.at("acceleration"), &Json::is_null);
+            });
     }
 
     void start(const Patch<S>& patch, std::span<Particles<S>> bodies) override {

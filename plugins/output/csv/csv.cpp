@@ -12,9 +12,10 @@ class Csv final : public Output {
   public:
     static Schema schema() {
         Schema schema("Particles as CSV tables: one file per body and write, one row per particle.");
-        add_file_name(schema, {.doc = "First part of the files' names: <name>_<body>_000000.csv, …, and "
-                                      "<name>_times.csv with the time of each number.",
-                               .default_value = "particles"});
+        add_file_name(schema,
+                      {.doc = "First part of the files' names; <name>_times.csv has the time of each number.",
+                       .default_value = "particles"},
+                      {"<name>_<body>_<number>.csv", "<name>_times.csv"});
         schema
             .add("fields", ParameterType::texts,
                  {.doc = "Fields written beside the position; a body's files have those that it carries.",
@@ -44,6 +45,8 @@ class Csv final : public Output {
         folder_ = folder;
         for (const std::string& field : fields_) expect_field(run, observed_bodies(run, body_), field);
         times_.open(folder / (name_ + "_times.csv"), {"time", "step", "index"}, resumed_at);
+        for (const std::string& body : observed_bodies(run, body_))
+            remove_numbered(folder, fmt::format("{}_{}_", name_, body), ".csv", times_.rows());
     }
 
     void write(const RunView& run) override {

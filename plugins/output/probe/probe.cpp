@@ -10,7 +10,8 @@ class Probe final : public Output {
   public:
     static Schema schema() {
         Schema schema("A quantity over time: a table <name>.csv with the time and one column per number.");
-        add_file_name(schema, {.doc = "The table is <name>.csv; checks refer to the probe by this name."});
+        add_file_name(schema, {.doc = "The table is <name>.csv; checks refer to the probe by this name."},
+                      {"<name>.csv"});
         Quantity::describe(schema);
         return schema;
     }
@@ -22,8 +23,7 @@ class Probe final : public Output {
 
     void check(const RunView& run) override { quantity_.find(run); }
 
-    void open(const RunView& run, const std::filesystem::path& folder, double resumed_at) override {
-        quantity_.find(run);
+    void open(const RunView&, const std::filesystem::path& folder, double resumed_at) override {
         std::vector<std::string> columns = quantity_.names();
         columns.insert(columns.begin(), "time");
         table_.open(folder / (name_ + ".csv"), columns, resumed_at);

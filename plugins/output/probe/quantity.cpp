@@ -7,10 +7,25 @@
 #include <limits>
 #include <matpoint/field_shape.hpp>
 #include <matpoint/output_file.hpp>
+#include <numbers>
 #include <numeric>
 #include <stdexcept>
 
 using matpoint::RunView;
+
+namespace {
+
+/// Edge of the square or cube that has the volume of a body's largest particle, m.
+double largest_size(const RunView& run, const std::string& body) {
+    std::vector<double> volume = run.column(body, "volume", 0);
+    if (run.space().mode == matpoint::Mode::axisymmetric) {
+        const std::vector<double> radius = run.column(body, "position", 0);
+        for (std::size_t p = 0; p < volume.size(); ++p) volume[p] /= 2 * std::numbers::pi * radius[p];
+    }
+    return std::pow(*std::max_element(volume.begin(), volume.end()), 1.0 / run.space().dimension());
+}
+
+}  // namespace
 
 std::vector<std::string> Quantity::required_fields() const {
     std::vector<std::string> fields;
@@ -72,21 +87,31 @@ void Quantity::find_components(const RunView& run) {
     }
 }
 
-// By initial positions, so that a run that resumes finds the same particle.
 void Quantity::find_particle(const RunView& run) {
     const std::vector<double> ids = run.column(body_, "id", 0);
     if (has_at_) {
-        std::vector<double> distance_squared(ids.size(), 0.0);  // m^2
-        for (int a = 0; a < run.space().dimension(); ++a) {
-            const std::vector<double> x = run.column(body_, "initial_position", a);
-            for (std::size_t p = 0; p < x.size(); ++p) {
-                const double d = x[p] - at_[static_cast<std::size_t>(a)];
-                distance_squared[p] += d * d;
-            }
-        }
-        const auto nearest = std::min_element(distance_squared.begin(), distance_squared.end());
-        if (nearest != distance_squared.end())
-            particle_ = static_cast<long>(ids[static_cast<std::size_t>(nearest - distance_squared.begin())]);
+        std::vector<std::vector<double>> x;  // m, by axis
+        for (int a = 0; a < run.space().dimension(); ++a)
+            x.push_back(run.column(body_, "initial_position", a));
+        const auto distance = [&](std::size_t p) {
+            double squared = 0;
+            for (std::size_t a = 0; a < x.size(); ++a) squared += (x[a][p] - at_[a]) * (x[a][p] - at_[a]);
+            return std::sqrt(squared);
+        };
+        std::size_t nearest = 0;
+        for (std::size_t p = 1; p < ids.size(); ++p)
+            if (distance(p) < distance(nearest)) nearest = p;
+        particle_ = static_cast<long>(ids.at(nearest));
+        constexpr double far =
+            3;  // particles' sizes: beyond the corner of any particle that is not very flat
+        if (distance(nearest) <= far * largest_size(run, body_)) return;
+        std::vector<double> place;
+        for (const std::vector<double>& axis : x) place.push_back(axis[nearest]);
+        throw std::runtime_error(
+            fmt::format("a probe's `at` ({:.6g}) is far from body \"{}\": the nearest particle, number {} at "
+                        "({:.6g}), is {:.4g} m away",
+                        fmt::join(at_.begin(), at_.begin() + static_cast<std::ptrdiff_t>(x.size()), ", "),
+                        body_, particle_, fmt::join(place, ", "), distance(nearest)));
     } else if (!ids.empty() && static_cast<double>(particle_) > ids.back()) {
         throw std::runtime_error(
             fmt::format("a probe asks for particle {} of body \"{}\", whose particles are 0 to {}", particle_,

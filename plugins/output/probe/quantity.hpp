@@ -16,7 +16,8 @@ class Quantity {
     const std::string& body() const { return body_; }
     std::vector<std::string> required_fields() const;
 
-    /// Finds the particle and the components in a run; throws std::runtime_error if they are not there.
+    /// Finds the particle and the components in a run that starts; throws std::runtime_error if they are
+    /// not there.
     void find(const matpoint::RunView& run);
     /// Names of the numbers: "centroid_x", "stress_xx", "max_von_mises_stress", …
     const std::vector<std::string>& names() const { return names_; }

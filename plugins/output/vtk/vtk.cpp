@@ -100,8 +100,10 @@ class Vtk final : public Output {
     static Schema schema() {
         Schema schema(
             "Particles as VTK files for ParaView: one .vtp file per write, one .pvd file for the times.");
-        add_file_name(schema, {.doc = "First part of the files' names: <name>.pvd, <name>_000000.vtp, …",
-                               .default_value = "particles"});
+        add_file_name(schema,
+                      {.doc = "First part of the files' names; <name>.pvd is ParaView's list of all.",
+                       .default_value = "particles"},
+                      {"<name>.pvd", "<name>_<number>.vtp"});
         schema
             .add("fields", ParameterType::texts,
                  {.doc = "Fields written for each particle; NaN where a body does not carry one.",
@@ -131,6 +133,7 @@ class Vtk final : public Output {
         folder_ = folder;
         for (const std::string& field : fields_) expect_field(run, observed_bodies(run, body_), field);
         series_.open(folder / (name_ + ".pvd"), resumed_at);
+        remove_numbered(folder, name_ + "_", ".vtp", series_.size());
     }
 
     void write(const RunView& run) override {

@@ -11,7 +11,9 @@ using namespace matpoint;
 class {{Name}} final : public Output {
   public:
     static Schema schema() {
-        return Schema("Table of energies in time").text("name", {.doc = "The file's name, without .txt", .default_value = "energies"});
+        return Schema("Table of energies in time")
+            .text("name", {.doc = "The file's name, without .txt", .default_value = "energies"})
+            .writes("<name>.txt");
     }
     explicit {{Name}}(const Parameters& parameters) : name_(parameters.text("name")) {}
 
