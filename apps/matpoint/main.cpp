@@ -112,11 +112,13 @@ int main(int count, char** given) {
         return tell(exit_bad_input, error.what());
     } catch (const PluginError& error) {
         return tell(exit_missing, who + error.what());
+    } catch (const ComponentFailure& failure) {  // without the memory that it needs
+        return tell(exit_missing, who + failure.what());
     } catch (const std::filesystem::filesystem_error& error) {
         return tell(exit_missing, who + error.what());
     } catch (const std::bad_alloc&) {
         return tell(exit_missing, who + "not enough memory");
-    } catch (const std::exception& error) {
-        return tell(exit_failed, who + error.what());
+    } catch (...) {
+        return tell(exit_failed, who + text_of_exception());
     }
 }

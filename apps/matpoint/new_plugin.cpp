@@ -12,7 +12,9 @@
 #include <regex>
 #include <set>
 
+#include "config/kinds.hpp"
 #include "config/nearest.hpp"
+#include "config/scene.hpp"
 #include "options.hpp"
 #include "registry/plugin_index.hpp"
 #include "templates.hpp"
@@ -30,7 +32,7 @@ std::string_view folder_of(const TemplateFile& file) {
     return file.path.substr(0, file.path.find('/'));
 }
 
-std::vector<std::string> kinds() {
+std::vector<std::string> template_kinds() {
     std::set<std::string> kinds;
     for (const TemplateFile& file : template_files())
         if (folder_of(file) != common) kinds.emplace(folder_of(file));
@@ -69,8 +71,47 @@ void write_project(const fs::path& folder, const std::string& kind, const std::s
         }
 }
 
+/// Whether the template of a kind uses a name, so that its class can't have it.
+bool uses(const std::string& kind, const std::string& name) {
+    static const std::regex words(R"(//.*|"[^"]*"|\{\{\w+\}\}|(\w+))");
+    for (const TemplateFile& file : template_files()) {
+        if (folder_of(file) != kind || !file.path.ends_with(".cpp")) continue;
+        std::cregex_iterator word(file.text.begin(), file.text.end(), words), end;
+        if (std::any_of(word, end, [&](const std::cmatch& match) { return match[1] == name; })) return true;
+    }
+    return false;
+}
+
+/// Why a plugin can't have a name in snake_case; empty if it can.
+std::string reason_against(const std::string& name, const std::string& kind, const PluginIndex& index) {
+    // add_library refuses the first ones, as the names of its own targets.
+    static const std::set<std::string> reserved{"all",
+                                                "clean",
+                                                "edit_cache",
+                                                "help",
+                                                "install",
+                                                "package",
+                                                "package_source",
+                                                "rebuild_cache",
+                                                "test",
+                                                "preinstall",
+                                                "list_install_components",
+                                                "matpoint"};
+    if (reserved.contains(name)) return "CMake, or the SDK, has a target of this name";
+    const std::string own = upper_camel_case(name);
+    const auto sdk = sdk_names();
+    if (std::find(sdk.begin(), sdk.end(), own) != sdk.end() || uses(kind, own))
+        return fmt::format("the plugin's class would be called {}, which the SDK uses", own);
+    if (name == "scene" || find_kind(name) || scene_schema().find(name))
+        return fmt::format("`matpoint describe {}` tells of something else", name);
+    for (const PluginRecord& plugin : index.plugins())
+        if (plugin.plugin == name || plugin.offers(kind, name))
+            return fmt::format("a plugin of this name exists already ({})", plugin.library.string());
+    return {};
+}
+
 void check(const std::string& kind, const std::string& name, const fs::path& folder) {
-    const std::vector<std::string> known = kinds();
+    const std::vector<std::string> known = template_kinds();
     if (std::find(known.begin(), known.end(), kind) == known.end())
         throw UsageError(fmt::format("there is no template for plugins of kind \"{}\"{}", kind,
                                      did_you_mean(kind, known)));
@@ -80,11 +121,11 @@ void check(const std::string& kind, const std::string& name, const fs::path& fol
         throw UsageError(fmt::format(
             "\"{}\" is not a name for a plugin: use snake_case, at most {} letters, as in \"tait_water\"",
             name, longest));
-    const PluginIndex index(plugin_folders());
-    for (const PluginRecord& plugin : index.plugins())
-        if (plugin.offers(kind, name))
-            throw UsageError(fmt::format("the {} \"{}\" exists already ({}): choose another name", kind, name,
-                                         plugin.library.string()));
+    const std::string reason = reason_against(name, kind, PluginIndex(plugin_folders()));
+    if (!reason.empty())
+        throw UsageError(
+            fmt::format("\"{}\" can't be the name of a plugin: {}; choose another, such as \"my_{}\"", name,
+                        reason, name));
     if (fs::exists(folder))
         throw UsageError(fmt::format("{} exists already: remove it, or choose another folder with --output",
                                      folder.string()));
@@ -96,7 +137,7 @@ int new_plugin(const std::vector<std::string>& arguments) {
     VerbOptions verb;
     verb.usage = "matpoint new_plugin KIND NAME [--output DIR]";
     verb.doc = fmt::format("Writes a project for a plugin of your own, with a scene and tests. Kinds: {}.",
-                           fmt::join(kinds(), ", "));
+                           fmt::join(template_kinds(), ", "));
     verb.options.add_options()("output", po::value<std::string>()->value_name("DIR"),
                                "folder of the project; by default NAME");
     verb.least_arguments = verb.most_arguments = 2;

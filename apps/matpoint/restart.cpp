@@ -73,6 +73,7 @@ int restart(const std::vector<std::string>& arguments) {
             "What only the start of a run reads (space, grid, particles, densities) can't be changed.",
         .least_arguments = 1,
         .most_arguments = 1};
+    const TimePoint start = std::chrono::steady_clock::now();
     add_run_options(verb.options);
     const auto values = parse(verb, arguments);
     if (!values) return exit_done;
@@ -89,7 +90,7 @@ int restart(const std::vector<std::string>& arguments) {
             refuse_changes(scene, changed, checkpoint);
             scene = std::move(changed);
         }
-        return run_to_end(scene, catalogue, *values, run_folder(file), std::move(checkpoint));
+        return run_to_end(scene, catalogue, *values, run_folder(file), start, std::move(checkpoint));
     } catch (const CheckpointError& error) {  // not one, or not one of the changed scene
         std::cerr << error.what() << "\n";
         return exit_bad_input;

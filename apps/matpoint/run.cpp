@@ -11,6 +11,7 @@ int run(const std::vector<std::string>& arguments) {
         .doc = "Runs a scene. Results go to out/<scene name>, or to DIR.",
         .least_arguments = 1,
         .most_arguments = 1};
+    const TimePoint start = std::chrono::steady_clock::now();
     add_run_options(verb.options);
     const auto values = parse(verb, arguments);
     if (!values) return exit_done;
@@ -19,7 +20,7 @@ int run(const std::vector<std::string>& arguments) {
     const std::filesystem::path file = arguments_of(*values).front();
     PluginCatalogue catalogue;
     const Scene scene = load_scene(file, assignments_of(*values), catalogue);
-    return run_to_end(scene, catalogue, *values, "out" / file.stem());
+    return run_to_end(scene, catalogue, *values, "out" / file.stem(), start);
 }
 
 }  // namespace matpoint

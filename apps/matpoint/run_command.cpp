@@ -30,8 +30,9 @@ std::vector<std::string> assignments_of(const po::variables_map& values) {
     return values["set"].as<std::vector<std::string>>();
 }
 
-void print_recommendation(const Scene& scene) {
-    if (const auto advice = recommendation(scene, fronts_folder())) std::cerr << *advice << "\n";
+void print_recommendation(const Scene& scene, const PluginCatalogue& catalogue) {
+    if (const auto advice = recommendation(scene, catalogue.registry(), fronts_folder()))
+        std::cerr << *advice << "\n";
 }
 
 /// Files in the folder of an earlier run that belong to outputs which the scene hasn't got: next to the new
@@ -47,8 +48,9 @@ void warn_of_leftovers(const std::filesystem::path& folder, const Scene& scene, 
 }
 
 int run_to_end(const Scene& scene, PluginCatalogue& catalogue, const po::variables_map& values,
-               const std::filesystem::path& default_output, std::optional<CheckpointData> resume) {
-    print_recommendation(scene);
+               const std::filesystem::path& default_output, TimePoint start,
+               std::optional<CheckpointData> resume) {
+    print_recommendation(scene, catalogue);
     const bool quiet = values.count("quiet") > 0;
     RunOptions options;
     options.output =
@@ -59,6 +61,11 @@ int run_to_end(const Scene& scene, PluginCatalogue& catalogue, const po::variabl
     if (!resume) warn_of_leftovers(options.output, scene, catalogue);
     options.resume = std::move(resume);
     const RunResult result = run_scene(scene, catalogue, options);
+    if (!quiet) {
+        const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+        std::cout << fmt::format("results in {}; {:.3g} s in all\n", options.output.string(), taken.count())
+                  << std::flush;
+    }
     if (result.status != RunStatus::completed) std::cerr << result.reason << "\n";
     return result.exit_status();
 }

@@ -6,6 +6,7 @@
 #include "registry/catalogue.hpp"
 #include "run/run.hpp"
 
+#include <chrono>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -20,11 +21,14 @@ std::vector<std::string> assignments_of(const po::variables_map& values);
 void add_run_options(po::options_description& options);
 
 /// What is known of the accuracy that a scene asks for, on stderr.
-void print_recommendation(const Scene& scene);
+void print_recommendation(const Scene& scene, const PluginCatalogue& catalogue);
 
-/// Runs, with progress if stderr is a terminal; says on stderr why a run did not complete. Returns
-/// the exit status.
+using TimePoint = std::chrono::steady_clock::time_point;
+
+/// Runs, with progress if stderr is a terminal; says where results are and how long all took since `start`,
+/// and on stderr why a run did not complete. Returns the exit status.
 int run_to_end(const Scene& scene, PluginCatalogue& catalogue, const po::variables_map& values,
-               const std::filesystem::path& default_output, std::optional<CheckpointData> resume = {});
+               const std::filesystem::path& default_output, TimePoint start,
+               std::optional<CheckpointData> resume = {});
 
 }  // namespace matpoint

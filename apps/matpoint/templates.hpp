@@ -11,4 +11,7 @@ struct TemplateFile {
 };
 std::span<const TemplateFile> template_files();
 
+/// The names of the SDK's classes.
+std::span<const std::string_view> sdk_names();
+
 }  // namespace matpoint

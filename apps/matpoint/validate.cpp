@@ -69,7 +69,7 @@ void validate_file(const std::filesystem::path& file, const std::vector<std::str
     const Scene scene = load_scene(file, assignments, catalogue);
     const auto simulation = Simulation::create(scene, catalogue);
     for (const std::string& warning : simulation->warnings()) std::cerr << warning << "\n";
-    print_recommendation(scene);
+    print_recommendation(scene, catalogue);
 
     const double dt = simulation->next_time_step();
     std::cout << fmt::format("{}: ok\n", file.string());

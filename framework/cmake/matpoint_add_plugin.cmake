@@ -29,6 +29,8 @@ function(matpoint_add_plugin name)
   endif()
   # A plugin's loops run for every particle and step: never unoptimised by oversight.
   target_compile_options(${name} PRIVATE $<$<CONFIG:>:-O3;-DNDEBUG>
+    # A mistake in a component is one in every space: the first few tell it.
+    $<$<CXX_COMPILER_ID:GNU>:-fmax-errors=3>
     # Or GCC, which counts what it has inlined for all spaces, leaves plain functions of one particle out of line.
     $<$<CXX_COMPILER_ID:GNU>:--param=inline-unit-growth=1000>)
   target_link_options(${name} PRIVATE -Wl,-z,nodelete -Wl,-z,now)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "each_once.hpp"
+
 #include <matpoint/exact_solution.hpp>
 
 #include <gtest/gtest.h>
@@ -289,7 +291,7 @@ inline void check_exact_solution(const Registry& registry, const Json& scene, co
     const Json& own = scene.at("exact_solution");
     SCOPED_TRACE(own.dump());
     const auto solution = registry.make<ExactSolution>("exact_solution", own, context_of(registry, scene));
-    ExactSolutionChecks(*solution, registry, scene, samples).all();
+    each_failure_once([&] { ExactSolutionChecks(*solution, registry, scene, samples).all(); });
 }
 
 }  // namespace matpoint::conformance

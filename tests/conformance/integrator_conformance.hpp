@@ -1,5 +1,6 @@
 #pragma once
 
+#include "each_once.hpp"
 #include "particle_cloud.hpp"
 
 #include <matpoint/integrator.hpp>
@@ -162,10 +163,12 @@ class IntegratorChecks {
 /// Runs all checks in all spaces. `own`: the integrator's object as in a resolved scene; `order`: of
 /// its positions and strains.
 inline void check_integrator(const Registry& registry, const Json& own, int order) {
-    in_every_space([&]<class S>(const std::string& space) {
-        SCOPED_TRACE(own.dump() + ", " + space);
-        const Parameters::Context context{SpaceId::of<S>(), ".", &registry, nullptr};
-        IntegratorChecks<S>(*registry.make<Integrator<S>>("integrator", own, context)).all(order);
+    each_failure_once([&] {
+        in_every_space([&]<class S>(const std::string& space) {
+            SCOPED_TRACE(own.dump() + ", " + space);
+            const Parameters::Context context{SpaceId::of<S>(), ".", &registry, nullptr};
+            IntegratorChecks<S>(*registry.make<Integrator<S>>("integrator", own, context)).all(order);
+        });
     });
 }
 

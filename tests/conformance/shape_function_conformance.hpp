@@ -1,5 +1,6 @@
 #pragma once
 
+#include "each_once.hpp"
 #include "particle_cloud.hpp"
 
 #include <matpoint/edge.hpp>
@@ -376,11 +377,13 @@ class ShapeFunctionChecks {
 
 /// Runs all checks in all spaces. `own`: the shape function's object as in a resolved scene.
 inline void check_shape_function(const Registry& registry, const Json& own) {
-    in_every_space([&]<class S>(const std::string& space) {
-        SCOPED_TRACE(own.dump() + ", " + space);
-        const Parameters::Context context{SpaceId::of<S>(), ".", &registry, nullptr};
-        const auto shape = registry.make<ShapeFunction<S>>("shape_function", own, context);
-        for (const double stretch : {1.1, 2.0}) ShapeFunctionChecks<S>(*shape, stretch).all();
+    each_failure_once([&] {
+        in_every_space([&]<class S>(const std::string& space) {
+            SCOPED_TRACE(own.dump() + ", " + space);
+            const Parameters::Context context{SpaceId::of<S>(), ".", &registry, nullptr};
+            const auto shape = registry.make<ShapeFunction<S>>("shape_function", own, context);
+            for (const double stretch : {1.1, 2.0}) ShapeFunctionChecks<S>(*shape, stretch).all();
+        });
     });
 }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -64,10 +65,10 @@ class Specimen {
     }
 
     Real wave_speed(Index extent = batch_size) {
-        Real fastest = 0;
+        Real fastest = -std::numeric_limits<Real>::infinity();
         for_each_batch(extent, [&](Index begin, Index end) {
-            fastest =
-                std::max(fastest, material_->wave_speed({particles_, begin, end, gathered_, first_state_}));
+            const Real speed = material_->wave_speed({particles_, begin, end, gathered_, first_state_});
+            if (!(speed <= fastest)) fastest = speed;  // what is not a number stays
         });
         return fastest;
     }

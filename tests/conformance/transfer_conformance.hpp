@@ -1,5 +1,6 @@
 #pragma once
 
+#include "each_once.hpp"
 #include "particle_cloud.hpp"
 
 #include <matpoint/registry.hpp>
@@ -237,10 +238,12 @@ class TransferChecks {
 
 /// Runs all checks in all spaces. `own`: the transfer's object as in a resolved scene.
 inline void check_transfer(const Registry& registry, const Json& own) {
-    in_every_space([&]<class S>(const std::string& space) {
-        SCOPED_TRACE(own.dump() + ", " + space);
-        const Parameters::Context context{SpaceId::of<S>(), ".", &registry, nullptr};
-        TransferChecks<S>(*registry.make<Transfer<S>>("transfer", own, context)).all();
+    each_failure_once([&] {
+        in_every_space([&]<class S>(const std::string& space) {
+            SCOPED_TRACE(own.dump() + ", " + space);
+            const Parameters::Context context{SpaceId::of<S>(), ".", &registry, nullptr};
+            TransferChecks<S>(*registry.make<Transfer<S>>("transfer", own, context)).all();
+        });
     });
 }
 

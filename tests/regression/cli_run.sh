@@ -7,6 +7,8 @@ value() { python3 -c 'import json, sys; print(json.load(open(sys.argv[1]))[sys.a
 expect 0 run block.json
 [[ $(value out/block/summary.json status) == completed ]] || fail "status"
 [[ -f out/block/resolved.json && -f out/block/height.csv ]] || fail "files are missing"
+[[ $out =~ "results in out/block; "([0-9.e-]+)" s in all" ]] || fail "not told where results are: $out"
+(($(python3 -c "print(int(${BASH_REMATCH[1]} >= $(value out/block/summary.json wall_seconds)))"))) || fail "shorter than its steps: $out"
 expect 0 run block.json --quiet --output quiet
 [[ -z $out$err ]] || fail "not quiet: $out$err"
 cmp out/block/height.csv quiet/height.csv
@@ -35,7 +37,8 @@ wait $! || status=$?
 
 end=$(python3 -c "print(1.1 * $(value stopped/summary.json time))")
 checkpoints=(stopped/checkpoints/*.h5)
-expect 0 restart "${checkpoints[-1]}" --set "/time/end=$end" --quiet
+expect 0 restart "${checkpoints[-1]}" --set "/time/end=$end"
+says "$out" "results in stopped; "
 [[ $(value stopped/summary.json status) == completed ]] || fail "status after restart"
 expect 0 run block.json --set "/time/end=$end" --output whole --quiet
 cmp stopped/height.csv whole/height.csv

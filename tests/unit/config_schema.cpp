@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 namespace matpoint {
 namespace {
 
@@ -95,7 +99,7 @@ TEST(describe, shows_all_that_a_component_says_of_itself) {
               "  poissons_ratio: a number > -1 and < 0.5; required\n"
               "\n"
               "Rules\n"
-              "  refused: too stiff for this material\n");
+              "  refused (poissons_ratio): too stiff for this material\n");
     const Json json = describe_json(kind, "neo_hookean", schema);
     EXPECT_EQ(json["paper"], "[Author 2000, eq. 1]");
     EXPECT_EQ(json["dimensions"], Json({1, 2, 3}));
@@ -120,6 +124,52 @@ TEST(describe, shows_a_kind) {
     EXPECT_EQ(describe_json(kind, catalogue)["types"], Json::array({"csv"}));
     EXPECT_EQ(find_kind("matreial"), nullptr);
     EXPECT_EQ(kinds().size(), 11u);
+}
+
+TEST(describe, shows_the_keys_of_a_scene) {
+    std::vector<std::string> names;
+    for (const Parameter* key : own_keys()) names.push_back(key->name);
+    for (const char* name :
+         {"space", "time", "bodies", "accuracy", "checkpoint", "health", "plugins", "checks"})
+        EXPECT_EQ(std::count(names.begin(), names.end(), name), 1) << name;
+    EXPECT_EQ(std::count(names.begin(), names.end(), "materials"), 0);
+    const Parameter& time = *scene_schema().find("time");
+    const std::string text = describe_text(time);
+    EXPECT_EQ(text.find("time (key of a scene): an object; required\n"), 0U) << text;
+    for (const Parameter& p : time.nested->parameters())
+        EXPECT_NE(text.find("\n  " + p.name + ": "), std::string::npos) << text;
+    for (const Rule& rule : time.nested->rules())
+        EXPECT_NE(text.find(rule.reason), std::string::npos) << text;
+    EXPECT_EQ(describe_json(time)["parameters"].size(), time.nested->parameters().size());
+}
+
+TEST(describe, shows_what_goes_with_each_choice_as_a_table) {
+    Schema schema("A probe");
+    schema.choice("quantity", {.choices = {"mass", "min"}})
+        .text("body", {.optional = true})
+        .text("field", {.optional = true})
+        .use({"quantity",
+              {"body", "field"},
+              {{"mass", {Use::possible, Use::refused}}, {"min", {Use::possible, Use::needed}}}});
+    const std::string text = describe_text(*find_kind("output"), "probe", schema);
+    EXPECT_NE(text.find("\nWhat goes with each quantity\n"
+                        "  quantity  body      field   \n"
+                        "  mass      possible  -       \n"
+                        "  min       possible  needed  \n"),
+              std::string::npos)
+        << text;
+    EXPECT_EQ(text.find("takes no"), std::string::npos) << text;
+
+    // And holds as rules.
+    ASSERT_EQ(schema.rules().size(), 2U);
+    const auto refused = [&](const Json& own) {
+        return std::any_of(schema.rules().begin(), schema.rules().end(),
+                           [&](const Rule& rule) { return rule.refuses && rule.applies(own, {}); });
+    };
+    EXPECT_TRUE(refused({{"quantity", "mass"}, {"field", "stress"}}));
+    EXPECT_TRUE(refused({{"quantity", "min"}}));
+    EXPECT_FALSE(refused({{"quantity", "min"}, {"field", "stress"}}));
+    EXPECT_FALSE(refused({{"quantity", "mass"}, {"body", "disk"}}));
 }
 
 }  // namespace

@@ -23,7 +23,8 @@ class Material : public Component {
 
     /// New Cauchy stress of every particle of the batch, at the end of a step of length dt (s).
     virtual void update_stress(const Batch& batch, Real dt) const = 0;
-    /// Largest speed of sound in the batch in its present state, m/s, for the automatic time step.
+    /// Largest speed of sound in the batch in its present state, m/s, for the automatic time step; 0 if the
+    /// material has no stiffness. What is negative or not finite ends the run.
     virtual Real wave_speed(const Batch& batch) const = 0;
     /// Both, in this order, in one call.
     virtual Real update(const Batch& batch, Real dt) const {

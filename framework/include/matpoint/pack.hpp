@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
@@ -79,6 +80,16 @@ class Pack {
             bool found = false;
             for (int i = 0; i < N; ++i) found |= a.bits[i] != 0;
             return found;
+        }
+        /// `if (a < b)` asks for one truth of several particles.
+        template <std::same_as<bool> Bool>
+        explicit operator Bool() const {
+            static_assert(
+                !std::is_same_v<Bool, bool>,
+                "a condition on a Pack has a truth for each particle: write `select(condition, a, b)` "
+                "in the place of `if`, `?:`, `&&` with a bool; any(condition) tells whether it holds "
+                "somewhere");
+            return false;
         }
     };
 

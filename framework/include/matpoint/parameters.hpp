@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <string>
+#include <utility>
 
 namespace matpoint {
 
@@ -26,7 +28,9 @@ class Parameters {
         std::function<void(const std::string&)> warn{};  ///< takes what warn() says
     };
 
-    Parameters(const Json& own, const Context& context) : own_(&own), context_(&context) {}
+    /// `pointer`: JSON pointer to `own` in the scene.
+    Parameters(const Json& own, const Context& context, std::string pointer = {})
+        : own_(&own), context_(&context), pointer_(std::move(pointer)) {}
 
     bool has(const char* name) const { return own_->contains(name) && !own_->at(name).is_null(); }
     double number(const char* name) const { return own_->at(name).get<double>(); }
@@ -52,10 +56,12 @@ class Parameters {
 
     const Json& json() const { return *own_; }
     const Context& context() const { return *context_; }
+    const std::string& pointer() const { return pointer_; }
 
   private:
     const Json* own_;
     const Context* context_;
+    std::string pointer_;
 };
 
 }  // namespace matpoint

@@ -4,6 +4,8 @@
 #include <matpoint/particle_pack.hpp>
 
 #include <cmath>
+#include <concepts>
+#include <limits>
 
 namespace matpoint {
 
@@ -13,7 +15,7 @@ namespace matpoint {
 ///     template <class S>
 ///     class Law final : public PointwiseMaterial<S, Law<S>> {
 ///         template <class Point>
-///         MATPOINT_INLINE auto squared_wave_speed(const Point& p) const;  // m^2/s^2
+///         MATPOINT_INLINE auto squared_wave_speed(const Point& p) const;  // m^2/s^2, not below 0
 ///         template <class Point>
 ///         MATPOINT_INLINE auto update(const Point& p, Real dt) const;  // sets the stress; returns the same
 ///     };
@@ -36,16 +38,43 @@ class PointwiseMaterial : public Material<S> {
         return fastest(batch, [&](const auto& p) { return law().update(p, dt); });
     }
 
+    /// Whether Law has what this class calls; what it lacks is told in a sentence.
+    static consteval bool is_complete() {
+        using Point = ParticlePack<S, true>;
+        constexpr bool has_speed = requires(const Law& law, const Point& p) {
+            { law.squared_wave_speed(p) } -> std::convertible_to<Number>;
+        };
+        static_assert(has_speed,
+                      "a pointwise material has a function `template <class Point> auto "
+                      "squared_wave_speed(const Point& p) const`, which returns a number, in m^2/s^2");
+        if constexpr (has_speed) {
+            constexpr bool has_update = requires(const Law& law, const Point& p, Real dt) {
+                { law.update(p, dt) } -> std::convertible_to<Number>;
+            };
+            static_assert(has_update,
+                          "a pointwise material has a function `template <class Point> auto "
+                          "update(const Point& p, Real dt) const`, which sets the stress and returns the "
+                          "squared wave speed");
+            return has_update;
+        }
+        return false;
+    }
+
   private:
     using Number = Pack<Real>;
 
     const Law& law() const { return static_cast<const Law&>(*this); }
+    /// Not a number if the square of some particle is negative or not a number itself.
     template <class Square>
     static Real fastest(const Batch& batch, const Square& square) {
         Number largest_square(0);
+        auto sound = largest_square >= Number(0);
         visit_packs(batch, [&](const auto& p) {
-            largest_square = max(square(p), largest_square);  // not what is no number
+            const Number own = square(p);
+            sound = sound && own >= Number(0);
+            largest_square = max(own, largest_square);
         });
+        if (__builtin_expect(any(!sound), 0)) return std::numeric_limits<Real>::quiet_NaN();
         return std::sqrt(largest(largest_square));
     }
 };

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <matpoint/component.hpp>
 #include <matpoint/parameters.hpp>
+#include <matpoint/requirements.hpp>
 #include <matpoint/schema.hpp>
 #include <matpoint/space.hpp>
 
@@ -12,14 +14,22 @@
 
 namespace matpoint {
 
-/// Base of everything a plugin makes.
-class Component {
-  public:
-    Component() = default;
-    Component(const Component&) = delete;
-    Component& operator=(const Component&) = delete;
-    virtual ~Component();
-};
+template <class S>
+class ShapeFunction;
+template <class S>
+class Transfer;
+template <class S>
+class Integrator;
+template <class S>
+class Material;
+template <class S>
+class BoundaryCondition;
+template <class S>
+class Load;
+template <class S>
+class Grid;
+class ExactSolution;
+class Output;
 
 using Factory = std::function<std::shared_ptr<Component>(const Parameters&)>;
 
@@ -38,45 +48,45 @@ class Registry {
 
     template <template <class> class C>
     void shape_function(std::string type) {
-        spatial<C>("shape_function", std::move(type));
+        spatial<C, ShapeFunction>("shape_function", std::move(type));
     }
     template <template <class> class C>
     void transfer(std::string type) {
-        spatial<C>("transfer", std::move(type));
+        spatial<C, Transfer>("transfer", std::move(type));
     }
     template <template <class> class C>
     void integrator(std::string type) {
-        spatial<C>("integrator", std::move(type));
+        spatial<C, Integrator>("integrator", std::move(type));
     }
     template <template <class> class C>
     void material(std::string type) {
-        spatial<C>("material", std::move(type));
+        spatial<C, Material>("material", std::move(type));
     }
     template <template <class> class C>
     void boundary_condition(std::string type) {
-        spatial<C>("boundary_condition", std::move(type));
+        spatial<C, BoundaryCondition>("boundary_condition", std::move(type));
     }
     template <template <class> class C>
     void load(std::string type) {
-        spatial<C>("load", std::move(type));
+        spatial<C, Load>("load", std::move(type));
     }
     template <template <class> class C>
     void grid(std::string type) {
-        spatial<C>("grid", std::move(type));
+        spatial<C, Grid>("grid", std::move(type));
     }
     /// Geometries, exact solutions and outputs work in double precision and three coordinates, whatever the
     /// space.
     template <class C>
     void geometry(std::string type) {
-        plain<C>("geometry", std::move(type));
+        plain<C, Geometry>("geometry", std::move(type));
     }
     template <class C>
     void exact_solution(std::string type) {
-        plain<C>("exact_solution", std::move(type));
+        plain<C, ExactSolution>("exact_solution", std::move(type));
     }
     template <class C>
     void output(std::string type) {
-        plain<C>("output", std::move(type));
+        plain<C, Output>("output", std::move(type));
     }
 
     /// Throws std::runtime_error naming both plugins if `kind`/`type` is there already.
@@ -85,36 +95,47 @@ class Registry {
     const std::map<std::pair<std::string, std::string>, Entry>& entries() const { return entries_; }
 
     /// Makes the component that `own["type"]` names, for the context's space. The entry must exist
-    /// (validation has seen to it). `C` is the kind's interface.
+    /// (validation has seen to it). `C` is the kind's interface, `pointer` the place of `own` in the scene.
+    /// std::invalid_argument tells a mistake in the parameters; all else is a ComponentFailure.
     template <class C>
-    std::shared_ptr<C> make(const std::string& kind, const Json& own,
-                            const Parameters::Context& context) const {
-        return std::static_pointer_cast<C>(make_component(kind, own, context));
+    std::shared_ptr<C> make(const std::string& kind, const Json& own, const Parameters::Context& context,
+                            const std::string& pointer = {}) const {
+        return std::static_pointer_cast<C>(make_component(kind, own, context, pointer));
     }
 
     /// Set by the loader around a plugin's registration, so that entries know where they are from.
     void set_current_plugin(std::string name, std::string version);
 
   private:
-    template <template <class> class C>
+    // A requirement that is not met would be told again for every space.
+    template <template <class> class C, template <class> class Interface>
     void spatial(const char* kind, std::string type) {
-        Entry entry{kind, std::move(type), C<PlaneStrain>::schema(), plugin_, version_, {}};
+        if constexpr (is_component<C<PlaneStrain>, Interface<PlaneStrain>>()) {
+            Entry entry{kind, std::move(type), C<PlaneStrain>::schema(), plugin_, version_, {}};
 #define MATPOINT_ADD_FACTORY(S)                                                                \
     entry.make[static_cast<std::size_t>(SpaceId::of<S>().index())] = [](const Parameters& p) { \
         return std::make_shared<C<S>>(p);                                                      \
     };
-        MATPOINT_FOR_EACH_SPACE(MATPOINT_ADD_FACTORY)
+            MATPOINT_FOR_EACH_SPACE(MATPOINT_ADD_FACTORY)
 #undef MATPOINT_ADD_FACTORY
-        add(std::move(entry));
+            add(std::move(entry));
+        } else {
+            name_missing_functions<C<PlaneStrain>>();
+        }
     }
-    template <class C>
+    template <class C, class Interface>
     void plain(const char* kind, std::string type) {
-        Entry entry{kind, std::move(type), C::schema(), plugin_, version_, {}};
-        entry.make.fill([](const Parameters& p) { return std::make_shared<C>(p); });
-        add(std::move(entry));
+        if constexpr (is_component<C, Interface>()) {
+            Entry entry{kind, std::move(type), C::schema(), plugin_, version_, {}};
+            entry.make.fill([](const Parameters& p) { return std::make_shared<C>(p); });
+            add(std::move(entry));
+        } else {
+            name_missing_functions<C>();
+        }
     }
     std::shared_ptr<Component> make_component(const std::string& kind, const Json& own,
-                                              const Parameters::Context& context) const;
+                                              const Parameters::Context& context,
+                                              const std::string& pointer) const;
 
     std::map<std::pair<std::string, std::string>, Entry> entries_;
     std::string plugin_, version_;

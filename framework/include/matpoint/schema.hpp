@@ -70,6 +70,20 @@ struct Rule {
     std::string reason;   ///< what is wrong and what to do instead
     /// Whether the misfit is there. `own`: the component's resolved object; `scene`: the resolved scene.
     std::function<bool(const Json& own, const Json& scene)> applies;
+    bool tabled = false;  ///< whether the schema's table tells it
+};
+
+enum class Use { refused, possible, needed };
+
+/// Which of the optional parameters go with each choice of another one.
+struct UseTable {
+    struct Row {
+        std::string choice;
+        std::vector<Use> uses;  ///< by parameter
+    };
+    std::string chooser;  ///< a parameter of type choice
+    std::vector<std::string> parameters;
+    std::vector<Row> rows;
 };
 
 /// A component's self-description, declared once; validation, `describe`, the JSON Schema and the
@@ -115,6 +129,8 @@ class Schema {
                    std::function<bool(const Json&, const Json&)> applies);
     Schema& warn(std::string pointer, std::string reason,
                  std::function<bool(const Json&, const Json&)> applies);
+    /// Adds the rules that a table holds.
+    Schema& use(UseTable table);
 
     const std::string& doc() const { return doc_; }
     const std::string& paper() const { return paper_; }
@@ -122,6 +138,7 @@ class Schema {
     const std::vector<int>& dimensions() const { return dimensions_; }
     const std::vector<std::string>& files() const { return files_; }
     const std::vector<Rule>& rules() const { return rules_; }
+    const std::optional<UseTable>& table() const { return table_; }
     const Parameter* find(std::string_view name) const;
 
   private:
@@ -131,6 +148,7 @@ class Schema {
     std::vector<int> dimensions_{1, 2, 3};
     std::vector<std::string> files_;
     std::vector<Rule> rules_;
+    std::optional<UseTable> table_;
 };
 
 }  // namespace matpoint

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <matpoint/shape_function.hpp>
+#include <matpoint/shape_kernel.hpp>
 #include <matpoint/stencil_loops.hpp>
 
 #include <algorithm>
@@ -28,6 +29,8 @@ class TensorProductShape : public ShapeFunction<S> {
     using typename ShapeFunction<S>::Vector;
     using typename ShapeFunction<S>::Coordinates;
     using typename ShapeFunction<S>::Stencil;
+
+    static consteval bool is_complete() { return is_kernel<Kernel, Real>(); }
 
     void declare(Particles<S>& particles) const override {
         if constexpr (Kernel::sized) particles.require(Field::half_size);
@@ -100,7 +103,7 @@ class TensorProductShape : public ShapeFunction<S> {
     }
 
   private:
-    using Loops = StencilLoops<S, Kernel::width>;
+    using Loops = StencilLoops<S, kernel_width<Kernel>>;
     static constexpr int D = Loops::D, W = Loops::W, N = Loops::N;
     using Lanes = typename Loops::Lanes;
     using LaneVector = typename Loops::LaneVector;

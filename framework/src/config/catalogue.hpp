@@ -15,6 +15,10 @@ class Catalogue {
     virtual const Schema* find(const std::string& kind, const std::string& type) = 0;
     /// The names of all types of a kind, opened or not.
     virtual std::vector<std::string> types(const std::string& kind) const = 0;
+    /// What messages about a component that is known say of its origin.
+    virtual std::string origin(const std::string& kind, const std::string& type) const {
+        return kind + " \"" + type + "\"";
+    }
 };
 
 }  // namespace matpoint

@@ -4,6 +4,7 @@
 #include "config/kinds.hpp"
 
 #include <string>
+#include <vector>
 
 namespace matpoint {
 
@@ -14,5 +15,12 @@ Json describe_json(const Kind& kind, const std::string& type, const Schema& sche
 /// A kind: what it chooses, the types there are, the parameters they share. Opens no plugin.
 std::string describe_text(const Kind& kind, const Catalogue& catalogue);
 Json describe_json(const Kind& kind, const Catalogue& catalogue);
+
+/// The keys of a scene: all, those that choose no component, and one.
+std::string describe_scene_text();
+Json describe_scene_json();
+std::vector<const Parameter*> own_keys();
+std::string describe_text(const Parameter& key);
+Json describe_json(const Parameter& key);
 
 }  // namespace matpoint

@@ -15,13 +15,14 @@ std::filesystem::path Parameters::file(const char* name) const {
 }
 
 std::shared_ptr<Geometry> Parameters::geometry(const char* name) const {
-    return context_->registry->make<Geometry>("geometry", own_->at(name), *context_);
+    return context_->registry->make<Geometry>("geometry", own_->at(name), *context_, pointer_ + "/" + name);
 }
 
 std::vector<std::shared_ptr<Geometry>> Parameters::geometries(const char* name) const {
     std::vector<std::shared_ptr<Geometry>> made;
     for (const Json& own : own_->at(name)) {
-        made.push_back(context_->registry->make<Geometry>("geometry", own, *context_));
+        const std::string pointer = pointer_ + "/" + name + "/" + std::to_string(made.size());
+        made.push_back(context_->registry->make<Geometry>("geometry", own, *context_, pointer));
     }
     return made;
 }

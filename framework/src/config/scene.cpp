@@ -121,10 +121,6 @@ void check_sections(Json& resolved, int dimension, Validator& validator) {
                                                        dimension, fmt::join(allowed, " or "), mode));
         }
     }
-    const Json& time = resolved["time"];
-    if (time.is_object() && time.contains("step") && time.contains("cfl")) {
-        validator.error("/time/cfl", "give `step` or `cfl`, not both");
-    }
     if (resolved["bodies"].is_object()) check_bodies(resolved["bodies"], validator);
 }
 

@@ -44,6 +44,8 @@ Schema time_schema() {
         .integer(
             "max_steps",
             {.doc = "The run ends after so many steps, wherever it is", .optional = true, .at_least = 1});
+    schema.refuse("/cfl", "give `step` or `cfl`, not both",
+                  [](const Json& own, const Json&) { return own.contains("step") && own.contains("cfl"); });
     return schema.refuse(
         "/wave_speed", "belongs to `cfl`; with `step` it has no meaning",
         [](const Json& own, const Json&) { return own.contains("wave_speed") && own.contains("step"); });

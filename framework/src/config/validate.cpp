@@ -3,6 +3,7 @@
 #include "config/expected.hpp"
 #include "config/kinds.hpp"
 
+#include <matpoint/component.hpp>
 #include <matpoint/profile.hpp>
 
 #include <fmt/format.h>
@@ -118,7 +119,7 @@ Json Validator::component(const std::string& kind_name, const Json& own, const s
     }
     const Kind& kind = *find_kind(kind_name);
     pending_.push_back({at, &kind.common.rules()});
-    pending_.push_back({at, &schema->rules()});
+    pending_.push_back({at, &schema->rules(), kind_name});
     return members(parameters_of(kind, *schema), own, at, kind_name);
 }
 
@@ -188,9 +189,16 @@ void Validator::check_rules(const Json& scene) {
     for (const PendingRules& pending : pending_) {
         const Json& own = scene.at(Json::json_pointer(pending.pointer));
         for (const Rule& rule : *pending.rules) {
-            if (rule.applies(own, scene)) {
-                diagnostics_.add(
-                    document_.diagnostic(pending.pointer + rule.pointer, rule.reason, rule.refuses));
+            try {
+                if (rule.applies(own, scene))
+                    diagnostics_.add(
+                        document_.diagnostic(pending.pointer + rule.pointer, rule.reason, rule.refuses));
+            } catch (...) {
+                if (pending.kind.empty()) throw;
+                error(pending.pointer,
+                      fmt::format("{} failed in the rule \"{}\" of its schema: {}",
+                                  catalogue_.origin(pending.kind, own.at("type").get<std::string>()),
+                                  rule.reason, text_of_exception()));
             }
         }
     }

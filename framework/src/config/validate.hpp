@@ -63,6 +63,7 @@ class Validator {
     struct PendingRules {
         std::string pointer;
         const std::vector<Rule>* rules;
+        std::string kind{};  ///< "" if these are not a plugin's
     };
 
     const Document& document_;

@@ -41,6 +41,11 @@ std::vector<std::string> PluginCatalogue::types(const std::string& kind) const {
     return {types.begin(), types.end()};
 }
 
+std::string PluginCatalogue::origin(const std::string& kind, const std::string& type) const {
+    const Registry::Entry& entry = *registry_.find(kind, type);
+    return to_string(Origin{kind, type, entry.plugin, entry.version, ""});
+}
+
 void PluginCatalogue::open_file(const fs::path& file) {
     const fs::path canonical = fs::weakly_canonical(file);
     for (const PluginLibrary& library : opened_)

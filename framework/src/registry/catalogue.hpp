@@ -18,6 +18,7 @@ class PluginCatalogue final : public Catalogue {
     const Schema* find(const std::string& kind, const std::string& type) override;
     /// Opens nothing.
     std::vector<std::string> types(const std::string& kind) const override;
+    std::string origin(const std::string& kind, const std::string& type) const override;
 
     /// A plugin that a scene names by its file.
     void open_file(const std::filesystem::path& file);

@@ -143,10 +143,10 @@ Registry PluginLibrary::components() const {
     registry.set_current_plugin(name_, version_);
     try {
         register_(registry);
-    } catch (const std::exception& error) {
+    } catch (...) {
         throw PluginError(
             fmt::format("plugin \"{}\" {} ({}) failed while it registered its components: \"{}\"", name_,
-                        version_, opened_.string(), error.what()));
+                        version_, opened_.string(), text_of_exception()));
     }
     return registry;
 }

@@ -4,8 +4,6 @@
 
 namespace matpoint {
 
-Component::~Component() = default;
-
 void Registry::add(Entry entry) {
     const auto [position, added] = entries_.try_emplace({entry.kind, entry.type}, entry);
     if (added) return;
@@ -26,11 +24,23 @@ void Registry::set_current_plugin(std::string name, std::string version) {
 }
 
 std::shared_ptr<Component> Registry::make_component(const std::string& kind, const Json& own,
-                                                    const Parameters::Context& context) const {
+                                                    const Parameters::Context& context,
+                                                    const std::string& pointer) const {
     const std::string type = own.at("type").get<std::string>();
     const Entry* entry = find(kind, type);
     if (!entry) throw std::logic_error("no " + kind + " \"" + type + "\" in the registry");
-    return entry->make[static_cast<std::size_t>(context.space.index())](Parameters(own, context));
+    const Origin origin{kind, type, entry->plugin, entry->version, pointer};
+    const Factory& make = entry->make[static_cast<std::size_t>(context.space.index())];
+    std::shared_ptr<Component> component;
+    try {
+        component = make(Parameters(own, context, pointer));
+    } catch (const std::invalid_argument&) {
+        throw;
+    } catch (...) {
+        throw_failure(origin, "constructor");
+    }
+    component->origin_ = origin;
+    return component;
 }
 
 }  // namespace matpoint

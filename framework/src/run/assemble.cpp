@@ -38,19 +38,38 @@ class Maker {
     std::shared_ptr<C> make(const std::string& kind, const std::string& pointer) {
         std::shared_ptr<C> made;
         pointer_ = pointer;
-        attempt(pointer, [&] { made = registry_.make<C>(kind, json(pointer), context_); });
+        attempt(pointer, [&] { made = registry_.make<C>(kind, json(pointer), context_, pointer); });
         return made;
     }
     template <class Action>
     void attempt(const std::string& pointer, const Action& action) {
         try {
             action();
-        } catch (const std::invalid_argument& mistake) {
-            diagnostics_.add(scene_.document.diagnostic(pointer, mistake.what()));
-        } catch (const FormulaError& mistake) {
-            for (const std::string& place : formula_places(scene_.resolved, mistake.formula()))
-                diagnostics_.add(scene_.document.diagnostic(place, mistake.what()));
+        } catch (const std::invalid_argument& wrong) {
+            mistake(pointer, wrong.what());
+        } catch (const FormulaError& wrong) {
+            for (const std::string& place : formula_places(scene_.resolved, wrong.formula()))
+                mistake(place, wrong.what());
+        } catch (const ComponentFailure& failure) {
+            if (failure.out_of_memory()) throw;
+            mistake(failure.origin().pointer, failure.reason());
         }
+    }
+    /// The same for what is up to a component: it may complain, or fail.
+    template <class Action>
+    void attempt(const std::string& pointer, const Component& component, const char* function,
+                 const Action& action) {
+        attempt(pointer, [&] {
+            try {
+                action();
+            } catch (const std::invalid_argument&) {
+                throw;
+            } catch (const std::bad_alloc&) {
+                throw;  // hardly the component's
+            } catch (...) {
+                throw_failure(component.origin(), function);
+            }
+        });
     }
     void mistake(const std::string& pointer, const std::string& text) {
         diagnostics_.add(scene_.document.diagnostic(pointer, text));
@@ -258,10 +277,13 @@ Assembly<S> assemble(const Scene& scene, const Registry& registry) {
         particles.require(Field::id);  // messages call a particle by it, and outputs are in its order
         const auto material = materials.at(body.at("material").template get<std::string>());
         components.materials.push_back(material);
-        components.shape->declare(particles);
-        components.transfer->declare(particles);
-        if (material->uses_deformation_gradient()) particles.require(Field::deformation_gradient);
-        for (const auto& load : components.loads) load->declare(particles);
+        guarded(*components.shape, "declare", [&] { components.shape->declare(particles); });
+        guarded(*components.transfer, "declare", [&] { components.transfer->declare(particles); });
+        if (guarded(*material, "uses_deformation_gradient",
+                    [&] { return material->uses_deformation_gradient(); }))
+            particles.require(Field::deformation_gradient);
+        for (const auto& load : components.loads)
+            guarded(*load, "declare", [&] { load->declare(particles); });
         const bool exact = components.exact_solution && components.exact_solution->covers(name);
         if (exact) particles.require(Field::initial_position);
         if (exact && !is_zero(body.at("velocity")))
@@ -269,10 +291,10 @@ Assembly<S> assemble(const Scene& scene, const Registry& registry) {
                           "the exact solution gives this body its velocity: leave it out");
         require_observed(maker, result.outputs, particles);
         result.first_states.push_back(particles.field_count());
-        for (const StateVariable& variable : material->state())
+        for (const StateVariable& variable : guarded(*material, "state", [&] { return material->state(); }))
             particles.require(variable.name, 1, variable.initial);
 
-        maker.attempt(join_pointer("/bodies", name) + "/geometry", [&] {
+        maker.attempt(join_pointer("/bodies", name) + "/geometry", *geometries[number], "functions", [&] {
             std::array<int, 3> per_cell{1, 1, 1};
             for (std::size_t a = 0; a < S::dimension; ++a)
                 per_cell[a] = body.at("particles_per_cell")[a].template get<int>();
@@ -315,8 +337,9 @@ Assembly<S> assemble(const Scene& scene, const Registry& registry) {
     check_observed(maker, result.outputs, result.bodies);
     maker.throw_if_errors();
     for (std::size_t k = 0; k < components.loads.size(); ++k)
-        maker.attempt("/loads/" + std::to_string(k),
-                      [&] { components.loads[k]->start(patch, result.bodies); });
+        maker.attempt("/loads/" + std::to_string(k), [&] {
+            guarded(*components.loads[k], "start", [&] { components.loads[k]->start(patch, result.bodies); });
+        });
     const SceneParts<S> parts{scene.resolved,        patch,      *components.shape,
                               components.conditions, geometries, result.bodies};
     maker.attempt("/boundary_conditions", [&] { maker.add(check_conditions(parts)); });
@@ -331,7 +354,7 @@ Assembly<S> assemble(const Scene& scene, const Registry& registry) {
     if (const ExactSolution* solution = components.exact_solution.get())
         for (Particles<S>& particles : result.bodies) {
             if (!solution->covers(particles.body())) continue;
-            maker.attempt("/exact_solution", [&] {
+            maker.attempt("/exact_solution", *solution, "functions", [&] {
                 start_exactly(*solution, particles);
                 for (const Field field : {Field::velocity_gradient, Field::affine_velocity})
                     if (particles.has(field))

@@ -36,6 +36,11 @@ Eigen::Vector3d reference_point(const ExactSolution& solution, const Eigen::Vect
 }  // namespace
 
 template <class S>
+bool ExactError<S>::within(const Eigen::Vector3d& x) const {
+    return !within_ || guarded(*within_, "contains", [&] { return within_->contains(x); });
+}
+
+template <class S>
 double ExactError<S>::deviation(const Particles<S>& particles, Index p, double time,
                                 double velocity_time) const {
     const auto reference_in_space = particles.vector(Field::initial_position, p);
@@ -54,8 +59,9 @@ void ExactError<S>::add_particles(const Particles<S>& particles, double time, do
                                   ErrorSums& sums) const {
     if (!solution_->covers(particles.body())) return;
     for (Index p = 0; p < particles.size(); ++p) {
-        if (within_ && !within_->contains(spatial<S>(particles.vector(Field::initial_position, p)))) continue;
-        sums.add(deviation(particles, p, time, velocity_time));
+        if (!within(spatial<S>(particles.vector(Field::initial_position, p)))) continue;
+        sums.add(
+            guarded(*solution_, "functions", [&] { return deviation(particles, p, time, velocity_time); }));
     }
 }
 
@@ -67,11 +73,13 @@ void ExactError<S>::add_nodes(const Patch<S>& patch, double time, double velocit
         const auto node = patch.node_coordinates(i);
         if (!(mass[i] > 0) || !patch.inside(node)) continue;
         const Eigen::Vector3d x = spatial<S>(patch.node_position(node));
-        if (within_ && !within_->contains(x)) continue;
+        if (!within(x)) continue;
         typename S::Vector v;
         for (int c = 0; c < S::dimension; ++c) v[c] = patch.column(NodeField::velocity, c)[i];
-        const Eigen::Vector3d reference = reference_point(*solution_, x, time);
-        sums.add(distance(spatial<S>(v), solution_->velocity(reference, velocity_time), relative_));
+        sums.add(guarded(*solution_, "functions", [&] {
+            const Eigen::Vector3d reference = reference_point(*solution_, x, time);
+            return distance(spatial<S>(v), solution_->velocity(reference, velocity_time), relative_);
+        }));
     }
 }
 

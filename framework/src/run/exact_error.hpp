@@ -47,6 +47,7 @@ class ExactError {
     void add_nodes(const Patch<S>& patch, double time, double velocity_time, ErrorSums& sums) const;
 
   private:
+    bool within(const Eigen::Vector3d& x) const;
     double deviation(const Particles<S>& particles, Index p, double time, double velocity_time) const;
 
     std::shared_ptr<ExactSolution> solution_;

@@ -41,22 +41,41 @@ std::string describe_stray(const Moment& moment, const Particles<S>& particles, 
 
 template <class S>
 std::string describe_fault(const Moment& moment, const Particles<S>& particles, const Fault& fault,
-                           double stable_step) {
+                           double stable_step, const Origin& material) {
     const std::string who = at(moment) + name(particles, fault.particle);
+    if (fault.kind == Fault::Kind::wave_speed)
+        return who + fmt::format(
+                         " gets the wave speed {:.4g} m/s from its material, {}: {}. Correct "
+                         "the material's wave_speed or squared_wave_speed, which must be finite and not "
+                         "negative, or its parameters.",
+                         fault.value, material.pointer, to_string(material));
     const std::string step = fmt::format(
         " The stable step was estimated as {:.4g} s: lower /time/cfl or /time/step, or choose another "
         "integrator or a smoother "
         "shape function.",
         stable_step);
-    if (fault.finite)
+    if (fault.kind == Fault::Kind::inverted)
         return who +
                fmt::format(
                    " turned inside out: its volume changed by the factor {:.4g} in one step (J <= 0). Either "
                    "the step is too "
                    "long or the load crushes the material.",
-                   fault.volume_ratio) +
+                   fault.value) +
                step;
-    return who + " has a velocity, stress or wave speed that is not finite." + step;
+    return who + " has a velocity or stress that is not finite." + step;
+}
+
+std::string describe_failure(const Moment& moment, const ComponentFailure& failure) {
+    return at(moment) + failure.what();
+}
+
+std::string describe_missing_waves(const Moment& moment, const std::string& body, const Origin& material) {
+    return at(moment) +
+           fmt::format(
+               "body \"{}\" is under stress, but its material says that no wave runs in it (speed 0), "
+               "so that no limit of the time step is known. {}: correct the wave_speed or "
+               "squared_wave_speed of the {}; where it is meant, set /time/step or /time/wave_speed.",
+               body, material.pointer, to_string(material));
 }
 
 std::string describe_formula(const Moment& moment, const std::vector<std::string>& places,
@@ -83,7 +102,8 @@ std::string describe_unstable_step(const Moment& moment, double stable_step, dou
 
 #define MATPOINT_INSTANTIATE(S)                                                                      \
     template std::string describe_stray(const Moment&, const Particles<S>&, Index, const Patch<S>&); \
-    template std::string describe_fault(const Moment&, const Particles<S>&, const Fault&, double);
+    template std::string describe_fault(const Moment&, const Particles<S>&, const Fault&, double,    \
+                                        const Origin&);
 MATPOINT_FOR_EACH_SPACE(MATPOINT_INSTANTIATE)
 
 }  // namespace matpoint

@@ -21,10 +21,14 @@ std::string describe_stray(const Moment& moment, const Particles<S>& particles, 
                            const Patch<S>& patch);
 template <class S>
 std::string describe_fault(const Moment& moment, const Particles<S>& particles, const Fault& fault,
-                           double stable_step);
+                           double stable_step, const Origin& material);
 /// `places` are the formula's JSON pointers.
 std::string describe_formula(const Moment& moment, const std::vector<std::string>& places,
                              const FormulaError& error);
+/// What a component threw in a step, or an output after it.
+std::string describe_failure(const Moment& moment, const ComponentFailure& failure);
+/// A body under stress whose material says that it has no waves.
+std::string describe_missing_waves(const Moment& moment, const std::string& body, const Origin& material);
 /// A step that leaves the time where it is.
 std::string describe_standstill(const Moment& moment);
 std::string describe_unstable_step(const Moment& moment, double stable_step, double wave_speed,

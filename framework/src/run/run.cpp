@@ -4,6 +4,7 @@
 #include <matpoint/parallel.hpp>
 
 #include "run/clock.hpp"
+#include "run/health.hpp"
 #include "run/progress.hpp"
 #include "run/rotation.hpp"
 #include "run/signals.hpp"
@@ -90,17 +91,12 @@ class Run {
         try {
             open_outputs();
             steps(result, progress);
-        } catch (const Breakdown& breakdown) {
-            result.status = RunStatus::broke_down;
-            result.reason = breakdown.what();
-        } catch (const std::runtime_error& failure) {
-            // A full disk, say: what can still be saved is saved, then the reason is told.
-            result.status = RunStatus::unfinished;
-            result.reason = failure.what();
+        } catch (...) {
+            tell_failure(result);
         }
         flush_outputs(result);
-        if (result.status == RunStatus::broke_down) save_last_good(result);
-        if (result.status == RunStatus::unfinished) save_after_failure(result);
+        if (result.status == RunStatus::broke_down || result.status == RunStatus::unfinished)
+            save_after_failure(result);
         progress.clear();
         if (options_.keep_state) result.final_state = simulation_->state();
         result.summary = summarise(*simulation_, catalogue_, clock_, result);
@@ -110,23 +106,69 @@ class Run {
     }
 
   private:
+    /// The exception in flight ends the run: what can still be saved is saved, then the reason is told.
+    void tell_failure(RunResult& result) const {
+        RunStatus status = RunStatus::broke_down;
+        std::string reason;
+        try {
+            throw;
+        } catch (const Breakdown& breakdown) {
+            reason = breakdown.what();
+        } catch (const ComponentFailure& failure) {
+            reason = describe_failure({simulation_->step(), simulation_->time(), simulation_->time_step()},
+                                      failure);
+        } catch (const std::runtime_error& failure) {  // a full disk, say
+            status = RunStatus::unfinished;
+            reason = failure.what();
+        } catch (const std::bad_alloc&) {
+            status = RunStatus::unfinished;
+            reason = text_of_exception();
+        } catch (...) {
+            reason = text_of_exception();
+        }
+        if (result.status != RunStatus::broke_down) result.status = status;
+        result.reason += (result.reason.empty() ? "" : "\n") + reason;
+    }
+
+    /// Calls a function of an output. What that can't write it throws as std::runtime_error; all else is a
+    /// fault of its own.
+    template <class Function>
+    void call(const ScheduledOutput& scheduled, const char* name, const Function& function) const {
+        const Output& output = *scheduled.output;
+        try {
+            function(*scheduled.output);
+        } catch (const std::runtime_error& failure) {
+            throw std::runtime_error(fmt::format("{}: {}: {}", output.origin().pointer,
+                                                 to_string(output.origin()), failure.what()));
+        } catch (...) {
+            throw_failure(output.origin(), name);
+        }
+    }
+
     void open_outputs() {
         const double resumed_at = options_.resume ? simulation_->time() : -1;
         for (const ScheduledOutput& scheduled : simulation_->outputs()) {
-            scheduled.output->open(*simulation_, options_.output, resumed_at);
-            if (!options_.resume) scheduled.output->write(*simulation_);
+            call(scheduled, "open",
+                 [&](Output& output) { output.open(*simulation_, options_.output, resumed_at); });
+            if (!options_.resume) write(scheduled);
         }
+    }
+
+    void write(const ScheduledOutput& scheduled) const {
+        call(scheduled, "write", [&](Output& output) { output.write(*simulation_); });
+    }
+    void flush(const ScheduledOutput& scheduled) const {
+        call(scheduled, "flush", [](Output& output) { output.flush(); });
     }
 
     /// What was being written in the background is in its file, or the reason why not is told: however the
     /// run ended.
-    void flush_outputs(RunResult& result) {
+    void flush_outputs(RunResult& result) const {
         for (const ScheduledOutput& scheduled : simulation_->outputs()) {
             try {
-                scheduled.output->flush();
-            } catch (const std::runtime_error& failure) {
-                if (result.status != RunStatus::broke_down) result.status = RunStatus::unfinished;
-                result.reason += std::string(result.reason.empty() ? "" : "\n") + failure.what();
+                flush(scheduled);
+            } catch (...) {
+                tell_failure(result);
             }
         }
     }
@@ -140,7 +182,9 @@ class Run {
 
     void steps(RunResult& result, Progress& progress) {
         double refuge_due = refuge_interval;
+        stepping_ = true;
         if (simulation_->step() == 0) simulation_->measure_error();
+        stepping_ = false;
         while (!simulation_->finished()) {
             if (signals_received() ||
                 (options_.stop_after_steps && simulation_->step() >= *options_.stop_after_steps)) {
@@ -148,29 +192,31 @@ class Run {
                 result.reason = "interrupted; go on with: matpoint restart " + save().string();
                 return;
             }
+            good_step_ = simulation_->step();
+            stepping_ = true;
             {
                 const StepTimer timer(clock_);
                 simulation_->advance();
             }
             simulation_->measure_error();
+            stepping_ = false;
             tell_warnings(progress);
             ++clock_.steps;
             clock_.particle_steps += static_cast<double>(simulation_->particle_count());
             const auto& outputs = simulation_->outputs();
             for (std::size_t k = 0; k < outputs.size(); ++k)
-                if (schedules_[k].due(simulation_->time(), simulation_->step()))
-                    outputs[k].output->write(*simulation_);
+                if (schedules_[k].due(simulation_->time(), simulation_->step())) write(outputs[k]);
             if (checkpoints_ && checkpoints_->due(simulation_->time(), simulation_->step())) {
                 save();
                 prune_checkpoints(checkpoint_folder(), keep_);
             }
             if (clock_.wall_seconds() > refuge_due) {
                 refuge_due = clock_.wall_seconds() + refuge_interval;
-                write_state(refuge_file());
+                save(refuge_file());
             }
             progress.show(*simulation_, clock_);
         }
-        for (const ScheduledOutput& scheduled : simulation_->outputs()) scheduled.output->write(*simulation_);
+        for (const ScheduledOutput& scheduled : simulation_->outputs()) write(scheduled);
     }
 
     fs::path checkpoint_folder() const { return options_.output / "checkpoints"; }
@@ -183,36 +229,44 @@ class Run {
         fs::remove(refuge_file());
     }
 
-    fs::path save() {
+    fs::path save() const {
         fs::path file = checkpoint_path(checkpoint_folder(), simulation_->step());
-        write_state(file);
+        save(file);
         return file;
     }
-
     /// After the files of the steps before: a run that goes on from here does not write them again.
-    void write_state(const fs::path& file) {
-        for (const ScheduledOutput& scheduled : simulation_->outputs()) scheduled.output->flush();
+    void save(const fs::path& file) const {
+        for (const ScheduledOutput& scheduled : simulation_->outputs()) flush(scheduled);
+        write_state(file);
+    }
+    void write_state(const fs::path& file) const {
         fs::create_directories(checkpoint_folder());
         write_checkpoint(file, simulation_->state());
     }
 
-    /// Runs being deterministic, the state before a breakdown is recomputed rather than kept at hand:
-    /// from the latest state on disk, or from the start.
-    void save_last_good(RunResult& result) {
-        const long broken_step = simulation_->step();
+    void save_after_failure(RunResult& result) {
+        const std::string what = stepping_ ? "\nThe last good state" : "\nThe state";
         try {
-            auto again = Simulation::create(scene_, catalogue_);
-            if (const auto start = latest_state(broken_step)) again->restore(*start);
-            if (again->step() == 0) again->measure_error();
-            while (again->step() < broken_step) {
-                again->advance();
-                again->measure_error();
-            }
-            simulation_ = std::move(again);
-            result.reason += "\nThe last good state is saved in " + save().string();
-        } catch (const std::exception& failure) {
-            result.reason += std::string("\nThe last good state could not be saved: ") + failure.what();
+            if (stepping_) recompute(good_step_);
+            const fs::path file = checkpoint_path(checkpoint_folder(), simulation_->step());
+            write_state(file);
+            result.reason += what + " is saved in " + file.string();
+        } catch (...) {
+            result.reason += what + " could not be saved: " + text_of_exception();
         }
+    }
+
+    /// Runs being deterministic, the state before a step that failed is recomputed rather than kept at hand:
+    /// from the latest state on disk, or from the start.
+    void recompute(long step) {
+        auto again = Simulation::create(scene_, catalogue_);
+        if (const auto start = latest_state(step)) again->restore(*start);
+        if (again->step() == 0) again->measure_error();
+        while (again->step() < step) {
+            again->advance();
+            again->measure_error();
+        }
+        simulation_ = std::move(again);
     }
 
     std::optional<CheckpointData> latest_state(long before) const {
@@ -225,14 +279,6 @@ class Run {
                 latest = std::move(candidate);
         }
         return latest;
-    }
-
-    void save_after_failure(RunResult& result) {
-        try {
-            result.reason += "\nThe state is saved in " + save().string();
-        } catch (const std::exception& failure) {
-            result.reason += std::string("\nThe state could not be saved: ") + failure.what();
-        }
     }
 
     void write_summary(RunResult& result) {
@@ -257,6 +303,8 @@ class Run {
     int keep_ = 2;
     std::size_t told_ = 0;  ///< warnings
     RunClock clock_;
+    bool stepping_ = false;  ///< whether the present state is that of a step that has not ended well
+    long good_step_ = 0;     ///< the step before
 };
 
 }  // namespace

@@ -37,11 +37,24 @@ SceneSimulation<S>::SceneSimulation(const Scene& scene, PluginCatalogue& catalog
     engine_.prepare();
     engine_.measure();
     warnings_ = assembly_.warnings;
+    if (guarded_) refuse_faults(scene);
     numbers_.first_mass = mass();
     numbers_.given_momentum = engine_.tally().momentum;
     numbers_.first_energy = energies().total();
     account();
     check_outputs(scene);
+}
+
+/// A material that can't be right, before the first step.
+template <class S>
+void SceneSimulation<S>::refuse_faults(const Scene& scene) const {
+    Diagnostics diagnostics;
+    for (const Fault& fault : engine_.faults()) {
+        const Origin& material = engine_.material(fault.body).origin();
+        diagnostics.add(scene.document.diagnostic(
+            material.pointer, describe_fault({0, 0, 0}, assembly_.bodies[fault.body], fault, 0, material)));
+    }
+    diagnostics.throw_if_errors();
 }
 
 template <class S>
@@ -52,6 +65,8 @@ void SceneSimulation<S>::check_outputs(const Scene& scene) {
             assembly_.outputs[k].output->check(*this);
         } catch (const std::exception& mistake) {
             diagnostics.add(scene.document.diagnostic("/outputs/" + std::to_string(k), mistake.what()));
+        } catch (...) {
+            throw_failure(assembly_.outputs[k].output->origin(), "check");
         }
     }
     diagnostics.throw_if_errors();
@@ -95,13 +110,16 @@ void SceneSimulation<S>::advance() {
     } catch (const FormulaError& error) {
         const auto places = formula_places(Json::parse(scene_text_), error.formula());
         throw Breakdown(describe_formula({step_, time_, dt}, places, error));
+    } catch (const ComponentFailure& failure) {
+        throw Breakdown(describe_failure({step_, time_, dt}, failure));
     }
     const Tally& tally = engine_.tally();
     if (guarded_ && !engine_.faults().empty()) {
         const Fault& fault = engine_.faults().front();
-        throw Breakdown(
-            describe_fault({step_, time_, dt}, assembly_.bodies[fault.body], fault, stable_step()));
+        throw Breakdown(describe_fault({step_, time_, dt}, assembly_.bodies[fault.body], fault, stable_step(),
+                                       engine_.material(fault.body).origin()));
     }
+    if (guarded_ && tally.stiff_without_waves) guard_waves();
     numbers_.strain += tally.strain_work;
     numbers_.external += tally.external_work;
     for (std::size_t c = 0; c < 3; ++c) numbers_.given_momentum[c] += tally.impulse[c];
@@ -155,12 +173,16 @@ void SceneSimulation<S>::measure_error() {
     const ExactError<S>& error = *assembly_.error;
     const bool half_a_step_behind = assembly_.components.integrator->staggered() && step_ > 0;
     const double velocity_time = half_a_step_behind ? time_ - last_time_step_ / 2 : time_;
-    if (error.of_nodes()) {
-        engine_.project_velocity(velocity_time);
-        error.add_nodes(engine_.patch(), time_, velocity_time, numbers_.error);
-    } else if (step_ > 0) {
-        for (const Particles<S>& particles : assembly_.bodies)
-            error.add_particles(particles, time_, velocity_time, numbers_.error);
+    try {
+        if (error.of_nodes()) {
+            engine_.project_velocity(velocity_time);
+            error.add_nodes(engine_.patch(), time_, velocity_time, numbers_.error);
+        } else if (step_ > 0) {
+            for (const Particles<S>& particles : assembly_.bodies)
+                error.add_particles(particles, time_, velocity_time, numbers_.error);
+        }
+    } catch (const ComponentFailure& failure) {
+        throw Breakdown(describe_failure({step_, time_, last_time_step_}, failure));
     }
 }
 
@@ -222,6 +244,18 @@ void SceneSimulation<S>::warn_once(const std::string& word, const std::string& t
     if (std::ranges::none_of(warnings_, said)) warnings_.push_back(text);
 }
 
+/// Where the time step follows from the waves, a body without them would be without a limit.
+template <class S>
+void SceneSimulation<S>::guard_waves() {
+    const std::size_t body = *engine_.tally().stiff_without_waves;
+    const std::string text = describe_missing_waves(
+        {step_, time_, next_time_step()}, assembly_.bodies[body].body(), engine_.material(body).origin());
+    if (step_length_ == 0) throw Breakdown(text);
+    if (warned_of_waves_) return;
+    warned_of_waves_ = true;
+    warnings_.push_back(text);
+}
+
 #define MATPOINT_INSTANTIATE(S)                                                   \
     template SceneSimulation<S>::SceneSimulation(const Scene&, PluginCatalogue&); \
     template bool SceneSimulation<S>::finished() const;                           \
@@ -234,9 +268,16 @@ void SceneSimulation<S>::warn_once(const std::string& word, const std::string& t
 MATPOINT_FOR_EACH_SPACE(MATPOINT_INSTANTIATE)
 
 std::unique_ptr<Simulation> Simulation::create(const Scene& scene, PluginCatalogue& catalogue) {
-    return with_space(scene.space, [&]<class S>() -> std::unique_ptr<Simulation> {
-        return std::make_unique<SceneSimulation<S>>(scene, catalogue);
-    });
+    try {
+        return with_space(scene.space, [&]<class S>() -> std::unique_ptr<Simulation> {
+            return std::make_unique<SceneSimulation<S>>(scene, catalogue);
+        });
+    } catch (const ComponentFailure& failure) {
+        if (failure.out_of_memory()) throw;
+        Diagnostics diagnostics;
+        diagnostics.add(scene.document.diagnostic(failure.origin().pointer, failure.reason()));
+        throw InputError(std::move(diagnostics));
+    }
 }
 
 }  // namespace matpoint

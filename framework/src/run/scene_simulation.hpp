@@ -75,6 +75,8 @@ class SceneSimulation final : public Simulation {
     double stable_step() const;
     void remove_strays();
     void guard_step(double dt);
+    void guard_waves();
+    void refuse_faults(const Scene& scene) const;
     void account();
     void warn_of_idle_parts();
     /// Unless a warning has the word already.
@@ -94,6 +96,7 @@ class SceneSimulation final : public Simulation {
     double time_ = 0, last_time_step_ = 0;
     Numbers numbers_;
     std::vector<std::string> warnings_;
+    bool warned_of_waves_ = false;
 };
 
 }  // namespace matpoint

@@ -46,13 +46,15 @@ void Engine<S>::step(long number, double time, double dt, double last_dt) {
     for (auto& reaction : tally_.reactions) reaction = {};
 
     prepare();
-    components_.integrator->step(*this, static_cast<Real>(dt));
+    guarded(*components_.integrator, "step",
+            [&] { components_.integrator->step(*this, static_cast<Real>(dt)); });
 }
 
 template <class S>
 void Engine<S>::prepare() {
     const Timer timer(*this, StepPhase::order);
-    for (Particles<S>& particles : bodies_) components_.shape->start_step(patch_, particles);
+    for (Particles<S>& particles : bodies_)
+        guarded(*components_.shape, "start_step", [&] { components_.shape->start_step(patch_, particles); });
     if (ordering_.update(patch_, bodies_, *components_.shape) || !located_) {
         patch_.set_blocks(ordering_.blocks(patch_));
         walls_.locate(patch_);
@@ -104,7 +106,9 @@ void Engine<S>::scatter(const Scatter& request) {
                          bodies_[b].size() / static_cast<Index>(ordering_.colours(b).size()), [&](Index k) {
                              const BlockRange& range =
                                  ranges[static_cast<std::size_t>(colour[static_cast<std::size_t>(k)])];
-                             components_.shape->scatter(patch_, bodies_[b], range.begin, range.end, own);
+                             guarded(*components_.shape, "scatter", [&] {
+                                 components_.shape->scatter(patch_, bodies_[b], range.begin, range.end, own);
+                             });
                          });
     }
 }
@@ -149,7 +153,7 @@ void Engine<S>::apply_loads() {
     const Timer timer(*this, StepPhase::loads);
     patch_.clear(NodeField::external_force);
     LoadContext<S> context{time_, patch_, bodies_, *components_.shape, components_.exact_solution.get()};
-    for (const auto& load : components_.loads) load->apply(context);
+    for (const auto& load : components_.loads) guarded(*load, "apply", [&] { load->apply(context); });
     for (int c = 0; c < S::dimension; ++c) {
         const Real* force = patch_.column(NodeField::external_force, c);
         double total = 0;

@@ -9,6 +9,7 @@
 #include "step/walls.hpp"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace matpoint {
@@ -26,12 +27,17 @@ struct Components {
     std::shared_ptr<ExactSolution> exact_solution;  ///< null if the scene has none
 };
 
-/// A particle whose deformation or velocity stopped making sense in a step.
+/// A particle that stopped making sense in a step.
 struct Fault {
+    enum class Kind {
+        inverted,    ///< its volume turned to zero or below
+        not_finite,  ///< its velocity or stress, or its volume
+        wave_speed,  ///< its state is sound, but its material gives it a wave speed that is none
+    };
     std::size_t body;
     Index particle;
-    bool finite;          ///< true: its volume turned to zero or below; false: not finite
-    double volume_ratio;  ///< of the step
+    Kind kind;
+    double value;  ///< the volume's ratio of the step, or the wave speed (m/s)
 };
 
 /// What a step added up.
@@ -45,6 +51,8 @@ struct Tally {
     double largest_speed = 0;                      ///< of a particle, m/s
     double largest_wave_speed = 0;                 ///< m/s
     std::vector<std::array<double, 3>> reactions;  ///< N, by boundary condition
+    /// The first body whose stress does work though its material has no waves.
+    std::optional<std::size_t> stiff_without_waves{};
 };
 
 /// What a step's time goes into.
@@ -60,6 +68,7 @@ using PhaseSeconds = std::array<double, step_phases.size()>;
 
 /// The part of a tally that one task over particles adds up.
 struct Partial {
+    std::size_t body = 0;
     bool off_grid = false;  ///< whether one of the particles has left the grid
     double kinetic = 0, momentum_scale = 0, strain_work = 0;
     std::array<double, 3> momentum{};
@@ -106,6 +115,7 @@ class Engine final : public Phases<S> {
     }
     void forget(std::size_t body) { ordering_.forget(body); }
     const Patch<S>& patch() const { return patch_; }
+    const Material<S>& material(std::size_t body) const { return *components_.materials[body]; }
 
     long step_number() const override { return number_; }
     void project(typename Phases<S>::Projection projection) override;
@@ -130,6 +140,7 @@ class Engine final : public Phases<S> {
     template <class Body>
     void for_nodes(const Body& body) const;
     void collect(typename Phases<S>::Update what);
+    void find_stiff_without_waves();
 
     Components<S> components_;
     std::vector<Particles<S>>& bodies_;

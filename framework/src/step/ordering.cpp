@@ -63,8 +63,10 @@ bool Ordering<S>::strayed(const Patch<S>& patch, const Particles<S>& particles, 
     for (std::size_t r = 0; r < ranges_[body].size(); ++r) {
         const Bounds<S>& bounds = bounds_[body][r];
         const auto block = patch.block_coordinates(ranges_[body][r].block);
-        const auto low = shape.base_node(patch, particles, bounds.low);
-        const auto high = shape.base_node(patch, particles, bounds.high);
+        const auto base_of = [&](const typename S::Vector& x) {
+            return guarded(shape, "base_node", [&] { return shape.base_node(patch, particles, x); });
+        };
+        const auto low = base_of(bounds.low), high = base_of(bounds.high);
         for (std::size_t a = 0; a < S::dimension; ++a) {
             // Cells counted from the block's first, which stores node 4 block - 1.
             const int first = Patch<S>::block_edge * block[a] - 1;
@@ -111,7 +113,7 @@ typename Ordering<S>::Column Ordering<S>::order(const Patch<S>& patch, const Par
     parallel_for((n + chunk - 1) / chunk, n, [&](Index k) {
         const Index begin = k * chunk, end = std::min(n, begin + chunk);
         std::vector<typename Patch<S>::Coordinates> base(static_cast<std::size_t>(end - begin));
-        shape.base_nodes(patch, particles, begin, end, base.data());
+        guarded(shape, "base_nodes", [&] { shape.base_nodes(patch, particles, begin, end, base.data()); });
         for (Index p = begin; p < end; ++p) {
             const auto& node = base[static_cast<std::size_t>(p - begin)];
             typename Patch<S>::Coordinates own;

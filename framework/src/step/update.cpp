@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 namespace matpoint {
 
@@ -31,12 +32,14 @@ class Engine<S>::BatchUpdate final : public GatherSink<S> {
           transfer_(transfer),
           what_(what),
           dt_(dt),
-          sums_(sums) {}
+          sums_(sums) {
+        sums_.body = body;
+    }
 
     void receive(Index begin, int count, const Gathered<S>& gathered) override {
         const ParticleBatch<S> batch(particles_, begin, begin + count, gathered, first_state_);
         if (what_.velocity) {
-            transfer_.update(batch, dt_);
+            guarded(transfer_, "update", [&] { transfer_.update(batch, dt_); });
             add_motion(batch);
         }
         if (what_.position) move(batch);
@@ -74,7 +77,7 @@ class Engine<S>::BatchUpdate final : public GatherSink<S> {
 
     void add_wave_speed(const ParticleBatch<S>& batch, Real wave_speed) {
         const auto speed = static_cast<double>(wave_speed);
-        if (!std::isfinite(speed)) report_not_finite(batch, Field::stress);
+        if (!(speed >= 0 && std::isfinite(speed))) report_wave_speed(batch, speed);
         sums_.largest_wave_speed = std::max(sums_.largest_wave_speed, speed);
     }
 
@@ -140,7 +143,7 @@ class Engine<S>::BatchUpdate final : public GatherSink<S> {
                 for (int c = 0; c < S::dimension * S::dimension; ++c)
                     p.store(Field::velocity_gradient, c, gradient.plane.data()[c]);
         });
-        add_wave_speed(batch, material_.update(batch, dt_));
+        add_wave_speed(batch, guarded(material_, "update", [&] { return material_.update(batch, dt_); }));
         visit_packs(batch, [&](const auto& p) {
             const Tensor<S, Number> gradient = p.velocity_gradient();
             power.add(p,
@@ -155,22 +158,39 @@ class Engine<S>::BatchUpdate final : public GatherSink<S> {
         for (int i = 0; i < p.count(); ++i)
             if (!(ratio[i] > 0)) {
                 const auto value = static_cast<double>(ratio[i]);
-                return report(batch.begin() + p.at() + i, std::isfinite(value), value);
+                return report(batch.begin() + p.at() + i,
+                              std::isfinite(value) ? Fault::Kind::inverted : Fault::Kind::not_finite, value);
             }
     }
 
     /// Of a batch in which something is not finite: the first particle whose own field tells, or the first of
     /// all.
     void report_not_finite(const ParticleBatch<S>& batch, Field field) {
+        report(first_not_finite(batch, field).value_or(batch.begin()), Fault::Kind::not_finite, 0);
+    }
+
+    /// Of what can't be a wave speed: the material's fault where the particles are sound.
+    void report_wave_speed(const ParticleBatch<S>& batch, double speed) {
+        if (const auto p = first_not_finite(batch, Field::stress))
+            return report(*p, Fault::Kind::not_finite, 0);
+        for (Index p = batch.begin(); p < batch.end(); ++p) {
+            const ParticleBatch<S> one(particles_, p, p + 1, batch.gathered(), first_state_);
+            const auto own = static_cast<double>(material_.wave_speed(one));
+            if (!(own >= 0 && std::isfinite(own))) return report(p, Fault::Kind::wave_speed, own);
+        }
+        report(batch.begin(), Fault::Kind::wave_speed, speed);
+    }
+
+    std::optional<Index> first_not_finite(const ParticleBatch<S>& batch, Field field) const {
         const int components = particles_.components(particles_.slot(field));
         for (Index p = batch.begin(); p < batch.end(); ++p)
             for (int c = 0; c < components; ++c)
-                if (!std::isfinite(particles_.column(field, c)[p])) return report(p, false, 0);
-        report(batch.begin(), false, 0);
+                if (!std::isfinite(particles_.column(field, c)[p])) return p;
+        return {};
     }
 
-    void report(Index p, bool finite, double ratio) {
-        if (!sums_.fault) sums_.fault = Fault{body_, p, finite, ratio};
+    void report(Index p, Fault::Kind kind, double value) {
+        if (!sums_.fault) sums_.fault = Fault{body_, p, kind, value};
     }
 
     typename S::Vector low_, high_;  ///< faces of the grid
@@ -208,12 +228,15 @@ void Engine<S>::update(typename Phases<S>::Update what, Real dt) {
             const BlockRange& range = ranges[static_cast<std::size_t>(r)];
             BatchUpdate sink(patch_, bodies_[b], b, *components_.materials[b], first_states_[b], transfer,
                              what, dt, partials_[first + static_cast<std::size_t>(r)]);
-            components_.shape->gather(patch_, bodies_[b], range.begin, range.end, request, sink);
+            guarded(*components_.shape, "gather", [&] {
+                components_.shape->gather(patch_, bodies_[b], range.begin, range.end, request, sink);
+            });
             if (!what.position) return;
             ordering_.bounds(b)[static_cast<std::size_t>(r)] = sink.bounds();
             // While they are in the cache; but a fault names a particle by its place.
             if (faults_.empty() && !partials_[first + static_cast<std::size_t>(r)].fault)
-                sort_if_mixed(patch_, bodies_[b], range, *components_.shape);
+                guarded(*components_.shape, "base_nodes",
+                        [&] { sort_if_mixed(patch_, bodies_[b], range, *components_.shape); });
         });
     }
     collect(what);
@@ -230,10 +253,27 @@ void Engine<S>::measure() {
             const ParticleBatch<S> batch(bodies_[b], begin, std::min(bodies_[b].size(), begin + batch_size),
                                          nothing, first_states_[b]);
             sums.add_motion(batch);
-            sums.add_wave_speed(batch, components_.materials[b]->wave_speed(batch));
+            const Material<S>& material = *components_.materials[b];
+            sums.add_wave_speed(batch,
+                                guarded(material, "wave_speed", [&] { return material.wave_speed(batch); }));
         }
     }
     collect({.velocity = true, .stress = NodeField::velocity});
+}
+
+/// Dust has no waves, and its stress does no work.
+template <class S>
+void Engine<S>::find_stiff_without_waves() {
+    tally_.stiff_without_waves.reset();
+    for (auto part = partials_.begin(); part != partials_.end() && !tally_.stiff_without_waves;) {
+        const std::size_t body = part->body;
+        bool works = false, waves = false;
+        for (; part != partials_.end() && part->body == body; ++part) {
+            works = works || part->strain_work != 0;
+            waves = waves || part->largest_wave_speed > 0;
+        }
+        if (works && !waves) tally_.stiff_without_waves = body;
+    }
 }
 
 template <class S>
@@ -244,7 +284,10 @@ void Engine<S>::collect(typename Phases<S>::Update what) {
         tally_.kinetic = tally_.momentum_scale = tally_.largest_speed = 0;
         tally_.momentum = {};
     }
-    if (stress) tally_.largest_wave_speed = 0;
+    if (stress) {
+        tally_.largest_wave_speed = 0;
+        find_stiff_without_waves();
+    }
     for (const Partial& part : partials_) {
         off_grid_ |= part.off_grid;
         if (velocity) {

@@ -11,7 +11,7 @@ Walls<S>::Walls(std::vector<PlacedCondition<S>> conditions) : conditions_(std::m
             for (std::size_t k = 0; k < conditions_.size(); ++k) {
                 if (!holds_on(conditions_[k], axis, side)) continue;
                 face.wall = true;
-                const auto prescribes = conditions_[k].condition->prescribes(axis);
+                const auto prescribes = prescribed(k, axis);
                 for (std::size_t c = 0; c < S::dimension; ++c)
                     if (prescribes[c]) face.condition[c] = static_cast<int>(k);
             }
@@ -60,8 +60,9 @@ void Walls<S>::locate(const Patch<S>& patch) {
         Eigen::Vector3d point = Eigen::Vector3d::Zero();
         for (int a = 0; a < S::dimension; ++a) point[a] = static_cast<double>(position[a]);
         for (std::size_t k = 0; k < conditions_.size(); ++k) {
-            if (!conditions_[k].region || !conditions_[k].region->contains(point)) continue;
-            const auto prescribes = conditions_[k].condition->prescribes(-1);
+            const Geometry* const region = conditions_[k].region.get();
+            if (!region || !guarded(*region, "contains", [&] { return region->contains(point); })) continue;
+            const auto prescribes = prescribed(k, -1);
             for (std::size_t c = 0; c < S::dimension; ++c)
                 if (prescribes[c] && condition[c] < 0) condition[c] = static_cast<int>(k);
         }
@@ -73,7 +74,14 @@ void Walls<S>::locate(const Patch<S>& patch) {
 
 template <class S>
 typename S::Real Walls<S>::velocity(int condition, int component, const Vector& position, double time) const {
-    return conditions_[static_cast<std::size_t>(condition)].condition->velocity(position, time)[component];
+    const BoundaryCondition<S>& own = *conditions_[static_cast<std::size_t>(condition)].condition;
+    return guarded(own, "velocity", [&] { return own.velocity(position, time)[component]; });
+}
+
+template <class S>
+std::array<bool, 3> Walls<S>::prescribed(std::size_t condition, int axis) const {
+    const BoundaryCondition<S>& own = *conditions_[condition].condition;
+    return guarded(own, "prescribes", [&] { return own.prescribes(axis); });
 }
 
 template <class S>

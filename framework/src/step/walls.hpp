@@ -98,6 +98,7 @@ class Walls {
     template <class Value>
     void fill(Patch<S>& patch, NodeField field, const Value& prescribed) const;
     Real velocity(int condition, int component, const Vector& position, double time) const;
+    std::array<bool, 3> prescribed(std::size_t condition, int axis) const;
 
     std::vector<PlacedCondition<S>> conditions_;
     std::vector<Face> faces_;  ///< by axis, lower before upper

@@ -2,6 +2,8 @@
 
 #include "registry/plugin_index.hpp"
 
+#include <matpoint/geometry.hpp>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -49,13 +51,47 @@ std::string settings_text(const Json& settings) {
     return fmt::format("{}", fmt::join(parts, ", "));
 }
 
+struct Thinnest {
+    std::string body;
+    double side;  ///< m, the smallest of its geometry's
+};
+
+/// Nothing if a geometry can't be made: the scene's own check tells that.
+std::optional<Thinnest> thinnest_body(const Scene& scene, const Registry& registry) {
+    const Parameters::Context context{scene.space, scene.folder, &registry, &scene.resolved};
+    std::optional<Thinnest> thinnest;
+    for (const auto& [name, body] : scene.resolved.at("bodies").items()) {
+        try {
+            const auto bounds = registry.make<Geometry>("geometry", body.at("geometry"), context)->bounds();
+            const double side = (bounds.max - bounds.min).head(scene.space.dimension()).minCoeff();
+            if (!thinnest || side < thinnest->side) thinnest = {name, side};
+        } catch (...) {
+            return {};
+        }
+    }
+    return thinnest;
+}
+
+/// So many cells in the scene's own terms.
+std::string cells_text(double cells, const Scene& scene, const std::optional<Thinnest>& thinnest) {
+    std::string text = fmt::format("about {:.3g} cells across the smallest side of a body", cells);
+    if (!thinnest) return text;
+    text += fmt::format(": /grid/cell_size = {:.3g} for \"{}\", whose smallest side is {:.4g} m",
+                        thinnest->side / cells, thinnest->body, thinnest->side);
+    const Json& grid = scene.resolved.at("grid");
+    if (!grid.contains("cell_size")) return text;
+    const double finest = std::ranges::min(grid.at("cell_size").get<std::vector<double>>());
+    return text + fmt::format(" and has {:.3g} cells now", thinnest->side / finest);
+}
+
 }  // namespace
 
 fs::path fronts_folder() {
     return plugin_folders().back().parent_path() / "fronts";
 }
 
-std::optional<std::string> recommendation(const Scene& scene, const fs::path& folder) {
+std::optional<std::string> recommendation(const Scene& scene, const Registry& registry,
+                                          const fs::path& folder) {
     if (!scene.resolved.contains("accuracy")) return {};
     const double target = scene.resolved.at("accuracy").at("target").get<double>();
     std::vector<Json> fronts = read_fronts(folder);
@@ -66,23 +102,24 @@ std::optional<std::string> recommendation(const Scene& scene, const fs::path& fo
         fronts, {}, [&](const Json& front) { return likeness(scene.resolved, front.at("about")); });
 
     const Json& rows = nearest.at("front");  // the cheapest first
-    const auto row =
+    const auto found =
         std::ranges::find_if(rows, [&](const Json& r) { return r.at("error").get<double>() <= target; });
+    const Json& row = found == rows.end() ? rows.back() : *found;
     const std::string study = nearest.at("title").get<std::string>();
-    if (row == rows.end())
+    const std::string settings =
+        fmt::format("{}, and {}", settings_text(row.at("settings")),
+                    cells_text(row.at("cells").get<double>(), scene, thinnest_body(scene, registry)));
+    if (found == rows.end())
         return fmt::format(
             "{}no variant of the shipped study \"{}\", the nearest there is, reaches {:g}: its best error is "
-            "{:.2g}, with {} and {:.3g} cells across the body",
-            says, study, target, rows.back().at("error").get<double>(),
-            settings_text(rows.back().at("settings")), rows.back().at("cells").get<double>());
+            "{:.2g}, with {}",
+            says, study, target, row.at("error").get<double>(), settings);
     return fmt::format(
-        "{}the shipped study \"{}\", the nearest there is, recommends for a relative error of {:g}: {}, and "
-        "about {:.3g} cells across the smallest side of a body. It measured an error of {:.2g} there, at "
-        "{:.2g} "
-        "particle steps. This is a recommendation: the scene runs as it is written, and `matpoint study` "
-        "measures it",
-        says, study, target, settings_text(row->at("settings")), row->at("cells").get<double>(),
-        row->at("error").get<double>(), row->at("particle_steps").get<double>());
+        "{}the shipped study \"{}\", the nearest there is, recommends for a relative error of {:g}: {}. It "
+        "measured an error of {:.2g} with so many, in a scene of its own. This is a recommendation: the "
+        "scene "
+        "runs as it is written, and `matpoint study` measures it",
+        says, study, target, settings, row.at("error").get<double>());
 }
 
 }  // namespace matpoint

@@ -13,26 +13,26 @@ class Difference final : public Geometry {
     }
     explicit Difference(const Parameters& parameters) : of_(make_operands(parameters)) {}
 
-    Bounds bounds() const override { return of_[0]->bounds(); }
+    Bounds bounds() const override { return of_[0].bounds(); }
 
     bool contains(const Eigen::Vector3d& point) const override {
-        if (!of_[0]->contains(point)) return false;
+        if (!of_[0].contains(point)) return false;
         for (std::size_t g = 1; g < of_.size(); ++g)
-            if (of_[g]->contains(point)) return false;
+            if (of_[g].contains(point)) return false;
         return true;
     }
 
     std::vector<char> contains(std::span<const Eigen::Vector3d> points) const override {
-        std::vector<char> inside = of_[0]->contains(points);
+        std::vector<char> inside = of_[0].contains(points);
         for (std::size_t g = 1; g < of_.size(); ++g) {
-            const std::vector<char> cut = of_[g]->contains(points);
+            const std::vector<char> cut = of_[g].contains(points);
             for (std::size_t i = 0; i < points.size(); ++i) inside[i] = inside[i] && !cut[i];
         }
         return inside;
     }
 
   private:
-    std::vector<std::shared_ptr<Geometry>> of_;
+    std::vector<Operand> of_;
 };
 
 MATPOINT_PLUGIN("difference", "1.0.0") {

@@ -13,31 +13,31 @@ class Intersection final : public Geometry {
     explicit Intersection(const Parameters& parameters) : of_(make_operands(parameters)) {}
 
     Bounds bounds() const override {
-        Bounds common = of_[0]->bounds();
-        for (const auto& geometry : of_) {
-            common.min = common.min.cwiseMax(geometry->bounds().min);
-            common.max = common.max.cwiseMin(geometry->bounds().max);
+        Bounds common = of_[0].bounds();
+        for (const Operand& geometry : of_) {
+            common.min = common.min.cwiseMax(geometry.bounds().min);
+            common.max = common.max.cwiseMin(geometry.bounds().max);
         }
         return common;
     }
 
     bool contains(const Eigen::Vector3d& point) const override {
-        for (const auto& geometry : of_)
-            if (!geometry->contains(point)) return false;
+        for (const Operand& geometry : of_)
+            if (!geometry.contains(point)) return false;
         return true;
     }
 
     std::vector<char> contains(std::span<const Eigen::Vector3d> points) const override {
         std::vector<char> inside(points.size(), 1);
-        for (const auto& geometry : of_) {
-            const std::vector<char> in_one = geometry->contains(points);
+        for (const Operand& geometry : of_) {
+            const std::vector<char> in_one = geometry.contains(points);
             for (std::size_t i = 0; i < points.size(); ++i) inside[i] = inside[i] && in_one[i];
         }
         return inside;
     }
 
   private:
-    std::vector<std::shared_ptr<Geometry>> of_;
+    std::vector<Operand> of_;
 };
 
 MATPOINT_PLUGIN("intersection", "1.0.0") {

@@ -13,31 +13,31 @@ class Union final : public Geometry {
     explicit Union(const Parameters& parameters) : of_(make_operands(parameters)) {}
 
     Bounds bounds() const override {
-        Bounds all = of_[0]->bounds();
-        for (const auto& geometry : of_) {
-            all.min = all.min.cwiseMin(geometry->bounds().min);
-            all.max = all.max.cwiseMax(geometry->bounds().max);
+        Bounds all = of_[0].bounds();
+        for (const Operand& geometry : of_) {
+            all.min = all.min.cwiseMin(geometry.bounds().min);
+            all.max = all.max.cwiseMax(geometry.bounds().max);
         }
         return all;
     }
 
     bool contains(const Eigen::Vector3d& point) const override {
-        for (const auto& geometry : of_)
-            if (geometry->contains(point)) return true;
+        for (const Operand& geometry : of_)
+            if (geometry.contains(point)) return true;
         return false;
     }
 
     std::vector<char> contains(std::span<const Eigen::Vector3d> points) const override {
         std::vector<char> inside(points.size(), 0);
-        for (const auto& geometry : of_) {
-            const std::vector<char> in_one = geometry->contains(points);
+        for (const Operand& geometry : of_) {
+            const std::vector<char> in_one = geometry.contains(points);
             for (std::size_t i = 0; i < points.size(); ++i) inside[i] = inside[i] || in_one[i];
         }
         return inside;
     }
 
   private:
-    std::vector<std::shared_ptr<Geometry>> of_;
+    std::vector<Operand> of_;
 };
 
 MATPOINT_PLUGIN("union", "1.0.0") {

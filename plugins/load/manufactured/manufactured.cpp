@@ -89,8 +89,9 @@ class Manufactured final : public Load<S> {
         sources_.resize(static_cast<std::size_t>(particles.size()));
         parallel_for((particles.size() + per_task - 1) / per_task, particles.size(), [&](Index task) {
             for (Index p = task * per_task; p < std::min(particles.size(), (task + 1) * per_task); ++p) {
-                const Eigen::Vector3d b =
-                    context.exact_solution->body_force(reference(particles, p), context.time);
+                const Eigen::Vector3d b = guarded(*context.exact_solution, "body_force", [&] {
+                    return context.exact_solution->body_force(reference(particles, p), context.time);
+                });
                 PointSource<S>& source = sources_[static_cast<std::size_t>(p)];
                 source.position = particles.position(p);
                 source.half_size = particles.has(Field::half_size) ? particles.vector(Field::half_size, p)

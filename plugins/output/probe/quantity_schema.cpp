@@ -1,62 +1,34 @@
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
 
 #include "quantity.hpp"
 
 using matpoint::Json;
 using matpoint::ParameterType;
 using matpoint::Schema;
+using matpoint::Use;
+using matpoint::UseTable;
 
 namespace {
 
-enum class Use { refused, possible, needed };
 using enum Use;
 
-constexpr std::array keys{"body", "field", "component", "particle", "at", "boundary_condition"};
-
-/// Which keys go with a quantity, in the order of `keys`.
-struct Row {
-    const char* quantity;
-    std::array<Use, keys.size()> use;
-};
-
-constexpr std::array rows{
-    Row{"particle", {needed, needed, possible, possible, possible, refused}},
-    Row{"centroid", {possible, refused, possible, refused, refused, refused}},
-    Row{"reaction", {refused, refused, possible, refused, refused, needed}},
-    Row{"kinetic_energy", {possible, refused, refused, refused, refused, refused}},
-    Row{"strain_energy", {refused, refused, refused, refused, refused, refused}},
-    Row{"external_work", {refused, refused, refused, refused, refused, refused}},
-    Row{"total_energy", {refused, refused, refused, refused, refused, refused}},
-    Row{"momentum", {possible, refused, possible, refused, refused, refused}},
-    Row{"mass", {possible, refused, refused, refused, refused, refused}},
-    Row{"min", {possible, needed, possible, refused, refused, refused}},
-    Row{"max", {possible, needed, possible, refused, refused, refused}},
-    Row{"mean", {possible, needed, possible, refused, refused, refused}},
-};
-
-/// The rules that the table holds for one quantity and one key.
-void add_rule(Schema& schema, const std::string& quantity, const std::string& key, Use use) {
-    if (use == refused) {
-        std::string takers;
-        for (const Row& row : rows)
-            for (std::size_t k = 0; k < keys.size(); ++k)
-                if (keys[k] == key && row.use[k] != refused)
-                    takers += (takers.empty() ? "" : ", ") + std::string(row.quantity);
-        schema.refuse("/" + key,
-                      fmt::format("the quantity \"{}\" takes no `{}`; these do: {}", quantity, key, takers),
-                      [=](const Json& own, const Json&) {
-                          return own.at("quantity") == quantity && own.contains(key);
-                      });
-    } else if (use == needed) {
-        schema.refuse("", fmt::format("the quantity \"{}\" needs the key `{}`", quantity, key),
-                      [=](const Json& own, const Json&) {
-                          return own.at("quantity") == quantity && !own.contains(key);
-                      });
-    }
-}
+/// Which keys go with a quantity.
+const UseTable table{.chooser = "quantity",
+                     .parameters = {"body", "field", "component", "particle", "at", "boundary_condition"},
+                     .rows = {
+                         {"particle", {needed, needed, possible, possible, possible, refused}},
+                         {"centroid", {possible, refused, possible, refused, refused, refused}},
+                         {"reaction", {refused, refused, possible, refused, refused, needed}},
+                         {"kinetic_energy", {possible, refused, refused, refused, refused, refused}},
+                         {"strain_energy", {refused, refused, refused, refused, refused, refused}},
+                         {"external_work", {refused, refused, refused, refused, refused, refused}},
+                         {"total_energy", {refused, refused, refused, refused, refused, refused}},
+                         {"momentum", {possible, refused, possible, refused, refused, refused}},
+                         {"mass", {possible, refused, refused, refused, refused, refused}},
+                         {"min", {possible, needed, possible, refused, refused, refused}},
+                         {"max", {possible, needed, possible, refused, refused, refused}},
+                         {"mean", {possible, needed, possible, refused, refused, refused}},
+                     }};
 
 bool is_condition(const Json& scene, const std::string& name) {
     const Json& conditions = scene.at("boundary_conditions");
@@ -68,7 +40,7 @@ bool is_condition(const Json& scene, const std::string& name) {
 
 void Quantity::describe(Schema& schema) {
     std::vector<std::string> quantities;
-    for (const Row& row : rows) quantities.emplace_back(row.quantity);
+    for (const UseTable::Row& row : table.rows) quantities.push_back(row.choice);
     schema
         .choice(
             "quantity",
@@ -93,8 +65,7 @@ void Quantity::describe(Schema& schema) {
                 {.unit = "m", .doc = "The particle nearest to this place at the start.", .optional = true})
         .text("boundary_condition", {.doc = "The `name` of the boundary condition.", .optional = true});
 
-    for (const Row& row : rows)
-        for (std::size_t k = 0; k < keys.size(); ++k) add_rule(schema, row.quantity, keys[k], row.use[k]);
+    schema.use(table);
     schema.refuse("", "the quantity \"particle\" needs either `particle` or `at`, and not both",
                   [](const Json& own, const Json&) {
                       return own.at("quantity") == "particle" &&
