@@ -57,7 +57,10 @@ int run_to_end(const Scene& scene, PluginCatalogue& catalogue, const po::variabl
         values.count("output") > 0 ? values["output"].as<std::string>() : default_output.string();
     options.progress = !quiet && isatty(STDERR_FILENO) == 1;
     options.quiet = quiet;
-    options.warn = [](const std::string& warning) { std::cerr << warning << "\n"; };
+    options.warn = [](const std::string& warning) {
+        const bool placed = warning.find("warning: ") != std::string::npos;
+        std::cerr << (placed ? "" : "warning: ") << warning << "\n";
+    };
     if (!resume) warn_of_leftovers(options.output, scene, catalogue);
     options.resume = std::move(resume);
     const RunResult result = run_scene(scene, catalogue, options);

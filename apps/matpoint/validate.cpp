@@ -64,7 +64,21 @@ void print_body(const Simulation& simulation, const std::string& body) {
                              total, fmt::join(lines, ""));
 }
 
-void validate_file(const std::filesystem::path& file, const std::vector<std::string>& assignments) {
+/// Says what the guard of a run would say of its first step; false if that would end the run.
+bool passes_first_step(Simulation& simulation) {
+    try {
+        simulation.check_step();
+    } catch (const Breakdown& breakdown) {
+        std::cerr << breakdown.what() << "\n";
+        return false;
+    }
+    for (const std::string& warning : simulation.health_warnings())
+        std::cerr << "warning: " << warning << "\n";
+    return true;
+}
+
+/// False if the scene is sound but a run of it would not get through its first step.
+bool validate_file(const std::filesystem::path& file, const std::vector<std::string>& assignments) {
     PluginCatalogue catalogue;
     const Scene scene = load_scene(file, assignments, catalogue);
     const auto simulation = Simulation::create(scene, catalogue);
@@ -73,7 +87,10 @@ void validate_file(const std::filesystem::path& file, const std::vector<std::str
 
     const double dt = simulation->next_time_step();
     std::cout << fmt::format("{}: ok\n", file.string());
-    std::cout << fmt::format("  time step {:.4g} s, about {} steps\n", dt, simulation->estimated_steps());
+    const Json& time = scene.resolved.at("time");
+    const bool fixed = time.contains("step") || time.contains("wave_speed");
+    std::cout << fmt::format("  time step {:.4g} s (stable up to {:.4g} s), {}{} steps\n", dt,
+                             simulation->stable_step(), fixed ? "" : "about ", simulation->estimated_steps());
     std::cout << fmt::format("  {} particles; memory {}\n", simulation->particle_count(),
                              memory_text(static_cast<double>(simulation->memory_bytes())));
     for (const std::string& body : simulation->bodies()) print_body(*simulation, body);
@@ -81,6 +98,7 @@ void validate_file(const std::filesystem::path& file, const std::vector<std::str
     std::vector<std::string> plugins;
     for (const PluginLibrary& plugin : catalogue.opened()) plugins.push_back(plugin.name());
     std::cout << fmt::format("  plugins: {}\n", fmt::join(plugins, ", "));
+    return passes_first_step(*simulation);
 }
 
 }  // namespace
@@ -100,7 +118,7 @@ int validate(const std::vector<std::string>& arguments) {
     int status = exit_done;
     for (const std::string& file : arguments_of(*values)) {
         try {
-            validate_file(file, assignments_of(*values));
+            if (!validate_file(file, assignments_of(*values))) status = std::max(status, exit_failed);
         } catch (const InputError& error) {
             std::cerr << error.what() << "\n";
             status = std::max(status, exit_bad_input);

@@ -1,11 +1,13 @@
 // Breakdowns of the numbers are told, not run through.
 #include "run/run.hpp"
 #include "simulated.hpp"
+#include "verify/compare_states.hpp"
 
 #include <gtest/gtest.h>
 
 #include <unistd.h>
 
+#include <cmath>
 #include <fstream>
 
 namespace matpoint::conformance {
@@ -31,10 +33,15 @@ class Health : public testing::Test {
     Health() : folder_(fs::temp_directory_path() / ("matpoint_health_" + std::to_string(getpid()))) {}
     ~Health() override { fs::remove_all(folder_); }
 
-    RunResult run(const Json& json) {
+    RunResult run(const Json& json, std::optional<CheckpointData> resume = {}) {
         PluginCatalogue catalogue;
         const Scene scene = load_scene(parse_document(json.dump(), "scene.json"), {}, catalogue);
-        return run_scene(scene, catalogue, {.output = folder_, .quiet = true});
+        return run_scene(scene, catalogue,
+                         {.output = folder_, .quiet = true, .keep_state = true, .resume = std::move(resume)});
+    }
+    std::string text(const char* file) const {
+        std::ifstream in(folder_ / file);
+        return {std::istreambuf_iterator<char>(in), {}};
     }
     Json summary() const {
         std::ifstream file(folder_ / "summary.json");
@@ -133,6 +140,112 @@ TEST_F(Health, StepThatDoesNotAdvanceTheTimeIsToldEvenUnguarded) {
     const RunResult result = run(scene);
     EXPECT_EQ(result.status, RunStatus::broke_down);
     EXPECT_NE(result.reason.find("too short"), std::string::npos) << result.reason;
+}
+
+Json vibrating_bar() {
+    return Json::parse(R"json({
+        "matpoint": 1,
+        "space": {"dimension": 1},
+        "grid": {"type": "uniform", "min": [0], "max": [1], "cell_size": 0.0625},
+        "shape_function": {"type": "gimp"},
+        "integrator": {"type": "usl"},
+        "time": {"end": 6, "step": 0.046875},
+        "materials": {"rubber": {"type": "linear_elastic", "density": 1, "youngs_modulus": 1}},
+        "bodies": {"bar": {"material": "rubber", "velocity": ["1e-6*sin(pi*x)"],
+                           "geometry": {"type": "box", "min": [0], "max": [1]}}},
+        "boundary_conditions": [{"type": "fixed", "on": ["x_min", "x_max"]}]
+    })json");
+}
+
+TEST_F(Health, LimitOfTheStepKnowsIntegratorAndShapeFunction) {
+    // Over a wave's time through a cell: omega dt < 2, or sqrt(2), at omega = c times the slope of the
+    // shortest wave, 2 / h or, with quadratic splines and particles at quarters of cells, 1 / h; 1 at most.
+    const auto part = [](const char* integrator, const Json& shape, int per_cell) {
+        Json scene = vibrating_bar();
+        scene["integrator"]["type"] = integrator;
+        scene["shape_function"] = shape;
+        scene["bodies"]["bar"]["particles_per_cell"] = per_cell;
+        return Simulated(scene)->stable_step() / (0.0625 / (1 + 1e-6));
+    };
+    const Json linear = {{"type", "linear"}}, gimp = {{"type", "gimp"}}, quadratic = {{"type", "bspline"}};
+    for (const char* integrator : {"usl", "central_difference"}) {
+        for (const int per_cell : {1, 2, 4}) {
+            EXPECT_NEAR(part(integrator, linear, per_cell), std::sqrt(0.5), 1e-6) << integrator;
+            EXPECT_NEAR(part(integrator, gimp, per_cell), std::sqrt(0.5), 1e-6) << integrator;
+        }
+        EXPECT_NEAR(part(integrator, quadratic, 1), std::sqrt(0.5), 1e-6) << integrator;
+        EXPECT_NEAR(part(integrator, quadratic, 2), 1, 1e-6) << integrator;
+    }
+    for (const char* integrator : {"usf", "musl", "uvf"})
+        for (const Json& shape : {linear, gimp, quadratic})
+            EXPECT_NEAR(part(integrator, shape, 2), 1, 1e-6) << integrator;
+}
+
+TEST_F(Health, UslAtThreeQuartersOfAWavesTimeIsToldAtOnce) {
+    const RunResult result = run(vibrating_bar());
+    EXPECT_EQ(result.status, RunStatus::broke_down);
+    EXPECT_EQ(summary().at("steps"), 0);
+    EXPECT_NE(result.reason.find("0.0442 s = 0.707 (of this integrator and shape function)"),
+              std::string::npos)
+        << result.reason;
+}
+
+TEST_F(Health, StepDoesNotDependOnTheEnd) {
+    Json scene = falling_block();
+    for (const double stiffness : {1e5, 1e-9, 0.0}) {
+        scene["materials"]["rubber"]["youngs_modulus"] = stiffness;
+        std::vector<double> steps;
+        for (const double end : {0.02, 20.0}) {
+            scene["time"]["end"] = end;
+            Simulated run(scene);
+            for (int k = 0; k < 3; ++k) {
+                run.advance(1);
+                steps.push_back(run->time_step());
+            }
+        }
+        for (int k = 0; k < 3; ++k)
+            EXPECT_EQ(steps[static_cast<std::size_t>(k)], steps[static_cast<std::size_t>(k) + 3])
+                << stiffness;
+    }
+}
+
+TEST_F(Health, StepOfWhatFallsIsItsTimeThroughACell) {
+    Json scene = falling_block();
+    scene["materials"]["rubber"]["youngs_modulus"] = 0;
+    Simulated run(scene);
+    EXPECT_NEAR(run->next_time_step(), 0.4 * std::sqrt(2 * 0.125 / 10), 1e-12);
+}
+
+TEST_F(Health, RunThatGoesOnToALaterEndEqualsTheWholeRun) {
+    Json scene = falling_block();
+    scene["boundary_conditions"] = {{{"type", "slip"}, {"on", {"y_min"}}}};
+    scene["time"]["end"] = 0.04;
+    const CheckpointData part = run(scene).final_state;
+    scene["time"]["end"] = 0.12;
+    const CheckpointData whole = run(scene).final_state;
+    EXPECT_EQ(first_difference(whole, run(scene, part).final_state), "");
+}
+
+TEST_F(Health, RestartAtTheEndTellsWhatTheRunTold) {
+    Json scene = falling_block();
+    scene["time"]["end"] = 0.1;
+    scene["boundary_conditions"] = {{{"type", "slip"}, {"on", {"y_min"}}, {"name", "floor"}}};
+    scene["outputs"] = {{{"type", "probe"},
+                         {"name", "force"},
+                         {"quantity", "reaction"},
+                         {"boundary_condition", "floor"},
+                         {"component", "y"},
+                         {"every", 1}}};
+    for (const char* precision : {"double", "single"}) {
+        scene["space"]["precision"] = precision;
+        const RunResult ended = run(scene);
+        const std::string force = text("force.csv");
+        const RunResult again = run(scene, ended.final_state);
+        EXPECT_EQ(again.summary.at("final"), ended.summary.at("final"));
+        EXPECT_EQ(again.summary.at("conservation"), ended.summary.at("conservation"));
+        EXPECT_EQ(text("force.csv"), force);
+        EXPECT_TRUE(again.summary.at("nanoseconds_per_particle_step").is_null());
+    }
 }
 
 }  // namespace

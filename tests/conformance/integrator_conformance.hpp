@@ -28,6 +28,7 @@ class Oscillator final : public Phases<S> {
     using typename Phases<S>::Update;
 
     double stiffness = 1;
+    double carried = 1;  ///< share of the particle's velocity that reaches the node
     double position = 0, extension = 0, velocity = 0;
 
     void step(const Integrator<S>& integrator, double dt) {
@@ -47,7 +48,7 @@ class Oscillator final : public Phases<S> {
         EXPECT_FALSE(done_.accelerated);
         if (what.velocity) {
             EXPECT_FALSE(done_.projected);
-            node_velocity_ = velocity;
+            node_velocity_ = carried * velocity;
             done_.projected = true;
         }
         if (what.internal_force) {
@@ -68,7 +69,7 @@ class Oscillator final : public Phases<S> {
     void remap() override {
         EXPECT_TRUE(has_remapped_) << "the integrator has not asked for NodeField::remapped_velocity";
         EXPECT_TRUE(done_.velocity);
-        remapped_velocity_ = velocity;
+        remapped_velocity_ = carried * velocity;
         done_.remapped = true;
     }
     void update(Update what, Real step) override {
@@ -121,6 +122,7 @@ class IntegratorChecks {
     void all(int order) const {
         moves_freely_without_force();
         energy_is_bounded();
+        stays_bounded_up_to_its_largest_phase();
         EXPECT_NEAR(measured_order(), order, 0.15);
     }
 
@@ -141,6 +143,20 @@ class IntegratorChecks {
             spring.step(integrator_, 0.125);
             const double energy = spring.velocity * spring.velocity + spring.extension * spring.extension;
             ASSERT_NEAR(energy, 1, 0.15) << "step " << i;
+        }
+    }
+
+    /// Whether particles carry the node's motion on to the next step or not.
+    void stays_bounded_up_to_its_largest_phase() const {
+        EXPECT_GT(integrator_.largest_phase(), 0);
+        for (const double carried : {1.0, 0.0}) {
+            Oscillator<S> spring;
+            spring.extension = spring.position = 1;
+            spring.carried = carried;
+            for (int i = 0; i < 2000 && std::abs(spring.extension) < 1e3; ++i)
+                spring.step(integrator_, 0.99 * integrator_.largest_phase());
+            EXPECT_LT(std::abs(spring.extension), 1e3)
+                << "largest_phase is too high where nodes carry " << carried << " of the velocity";
         }
     }
 

@@ -80,6 +80,54 @@ TEST_P(EveryShape, WallThatMovesWithTheBodyLeavesItAlone) {
     EXPECT_LT(run->conservation().momentum_drift, 1e-12);
 }
 
+/// Calls test(run) for the scene with every transfer, integrator and precision.
+template <class Test>
+void with_every_scheme(Json scene, const Test& test) {
+    for (const char* precision : {"double", "single"})
+        for (const char* transfer : {"flip", "apic"})
+            for (const char* integrator : {"usf", "usl", "musl", "uvf", "central_difference"}) {
+                SCOPED_TRACE(std::string(precision) + ", " + transfer + ", " + integrator);
+                scene["space"]["precision"] = precision;
+                scene["transfer"]["type"] = transfer;
+                scene["integrator"]["type"] = integrator;
+                Simulated run(scene);
+                test(run);
+            }
+}
+
+/// Of all particles, along an axis.
+std::array<double, 2> extent(Simulated& run, const std::string& body, int axis) {
+    const auto x = run->column(body, "position", axis);
+    const auto [low, high] = std::minmax_element(x.begin(), x.end());
+    return {*low, *high};
+}
+
+TEST_P(EveryShape, ClosedBoxKeepsDustForEver) {
+    // Without stiffness it comes to the walls ever closer, until rounding pushes it on.
+    Json scene = Json::parse(R"json({
+        "matpoint": 1,
+        "space": {"dimension": 2},
+        "grid": {"type": "uniform", "min": [-0.3, 0.1], "max": [0.7, 1.1], "cell_size": 0.1},
+        "time": {"end": 100, "step": 0.03},
+        "materials": {"dust": {"type": "linear_elastic", "density": 1, "youngs_modulus": 0}},
+        "bodies": {"cloud": {"material": "dust", "particles_per_cell": 1,
+                             "geometry": {"type": "box", "min": [0.1, 0.5], "max": [0.3, 0.7]}}},
+        "boundary_conditions": [{"type": "slip", "on": ["x_min", "y_max"]}, {"type": "fixed", "on": "x_max"},
+                                {"type": "velocity", "velocity": [null, 0], "on": "y_min"}]
+    })json");
+    scene["shape_function"] = GetParam();
+    for (const auto& velocity : {Json{-1, 0.7}, Json{1, -0.7}}) {
+        scene["bodies"]["cloud"]["velocity"] = velocity;
+        with_every_scheme(scene, [](Simulated& run) {
+            ASSERT_NO_THROW(run.advance(400));
+            EXPECT_GE(extent(run, "cloud", 0)[0], -0.3f);
+            EXPECT_LE(extent(run, "cloud", 0)[1], 0.7f);
+            EXPECT_GE(extent(run, "cloud", 1)[0], 0.1f);
+            EXPECT_LE(extent(run, "cloud", 1)[1], 1.1f);
+        });
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Shapes, EveryShape,
                          testing::Values(Json{{"type", "linear"}}, Json{{"type", "gimp"}},
                                          Json{{"type", "gimp"}, {"domain", "uniform"}},
@@ -106,6 +154,39 @@ TEST(Reactions, FloorCarriesTheWeightOfABodyAtRest) {
     EXPECT_NEAR(run->reaction("floor")[1], 1000 * 0.5 * 10, 5);
     EXPECT_NEAR(run->reaction("sides")[0], 0, 1e-6);
     EXPECT_LT(run->energies().kinetic, 1e-6);
+}
+
+TEST(ClosedFace, IsNotToldToBeClosedWhenItIsPassed) {
+    // A step in which the bar is thrown across the wall.
+    Json scene = Json::parse(R"json({
+        "matpoint": 1,
+        "space": {"dimension": 1},
+        "grid": {"type": "uniform", "min": [0], "max": [1], "cell_size": 0.1},
+        "shape_function": {"type": "gimp"},
+        "time": {"end": 10, "step": 0.5},
+        "materials": {"dust": {"type": "linear_elastic", "density": 1, "youngs_modulus": 0}},
+        "bodies": {"bar": {"material": "dust", "velocity": [-1],
+                           "geometry": {"type": "box", "min": [0.1], "max": [0.3]}}},
+        "boundary_conditions": [{"type": "slip", "on": "x_min"}],
+        "health": {"unstable_step": "ignore"}
+    })json");
+    const auto told = [](const Json& json) -> std::string {
+        try {
+            Simulated run(json);
+            run.advance(2);
+        } catch (const Breakdown& breakdown) {
+            return breakdown.what();
+        }
+        return "";
+    };
+    EXPECT_NE(told(scene).find("through x_min, "), std::string::npos) << told(scene);
+    EXPECT_NE(told(scene).find("although the face is closed"), std::string::npos) << told(scene);
+    scene["boundary_conditions"] = {{{"type", "velocity"}, {"velocity", {-1}}, {"on", "x_min"}}};
+    EXPECT_NE(told(scene).find("carried by the velocity that is prescribed"), std::string::npos)
+        << told(scene);
+    scene["boundary_conditions"] = Json::array();
+    EXPECT_NE(told(scene).find("through x_min. Enlarge /grid, close the face"), std::string::npos)
+        << told(scene);
 }
 
 TEST(MovingRegion, StaggeredIntegratorsFollowItToSecondOrder) {

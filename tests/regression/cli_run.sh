@@ -14,7 +14,7 @@ expect 0 run block.json --quiet --output quiet
 cmp out/block/height.csv quiet/height.csv
 
 expect 0 validate block.json
-says "$out" "about $(value quiet/summary.json steps) steps"
+says "$out" ", $(value quiet/summary.json steps) steps"
 says "$out" "$(value quiet/summary.json particles) particles of $(value quiet/summary.json bytes_per_particle) bytes"
 
 # The resolved scene runs again to the same result.

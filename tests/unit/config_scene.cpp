@@ -34,7 +34,11 @@ TEST(scene, resolves_units_lists_and_defaults) {
     EXPECT_EQ(r["outputs"][0]["fields"], Json::array({"stress"}));
     EXPECT_EQ(r["loads"], Json::array());
     EXPECT_EQ(r["plugins"], Json::array());
-    EXPECT_EQ(r["health"], (Json{{"enabled", true}, {"off_grid", "error"}, {"unstable_step", "error"}}));
+    EXPECT_EQ(r["health"], (Json{{"enabled", true},
+                                 {"off_grid", "error"},
+                                 {"unstable_step", "error"},
+                                 {"energy_drift", 0.05},
+                                 {"energy_gain", 0.5}}));
     EXPECT_FALSE(r.contains("checkpoint"));
     EXPECT_FALSE(r.contains("exact_solution"));
     EXPECT_EQ(scene.space, SpaceId::of<PlaneStrain>());

@@ -49,6 +49,9 @@ class Integrator : public Component {
     virtual std::vector<NodeField> node_fields() const { return {}; }
     /// Whether velocities are those of half steps: prescribed ones are then taken at these times.
     virtual bool staggered() const { return false; }
+    /// Largest omega dt with which the fastest vibration of the nodes stays bounded; that of the leapfrog by
+    /// default. The guard of the time step asks.
+    virtual double largest_phase() const { return 2; }
     /// Advances everything by dt (s).
     virtual void step(Phases<S>& phases, Real dt) const = 0;
 };

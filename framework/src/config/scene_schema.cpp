@@ -27,13 +27,11 @@ Schema time_schema() {
         .number("end",
                 {.unit = "s", .doc = "The run ends with the first step at or past it", .greater_than = 0})
         .number("step", {.unit = "s", .doc = "Fixed time step", .optional = true, .greater_than = 0})
-        .number(
-            "cfl",
-            {.doc =
-                 "Time step over the time a wave or particle takes to cross a cell; 0.4 if `step` is absent",
-             .optional = true,
-             .at_most = 2,
-             .greater_than = 0})
+        .number("cfl", {.doc = "Time step over the time that a wave, a particle, or what loads move from "
+                               "rest takes to cross a cell; 0.4 if `step` is absent",
+                        .optional = true,
+                        .at_most = 2,
+                        .greater_than = 0})
         .number(
             "wave_speed",
             {.unit = "m/s",
@@ -105,7 +103,16 @@ Schema health_schema() {
                              .choices = {"error", "delete"}})
         .choice("unstable_step", {.doc = "For a time step beyond the limit of stability",
                                   .default_value = "error",
-                                  .choices = {"error", "warn", "ignore"}});
+                                  .choices = {"error", "warn", "ignore"}})
+        .number("energy_drift", {.doc = "Drift of the energy balance, over the largest energy, beyond which "
+                                        "the run is warned of",
+                                 .default_value = 0.05,
+                                 .at_least = 0})
+        .number("energy_gain",
+                {.doc = "Energy from nowhere, over what the start, loads and walls have given, "
+                        "beyond which the run breaks down",
+                 .default_value = 0.5,
+                 .at_least = 0});
 }
 
 Schema make_scene_schema() {

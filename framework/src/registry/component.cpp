@@ -1,4 +1,5 @@
 #include <matpoint/component.hpp>
+#include <matpoint/profile.hpp>
 
 #include <cxxabi.h>
 
@@ -45,6 +46,8 @@ void throw_failure(const Origin& origin, const char* function) {
         throw;
     } catch (const ComponentFailure&) {
         throw;
+    } catch (const FormulaError&) {
+        throw;  // the user's
     } catch (const std::bad_alloc&) {
         out_of_memory = true;
     } catch (...) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace matpoint {
@@ -24,19 +25,29 @@ std::string name(const Particles<S>& particles, Index p) {
 
 template <class S>
 std::string describe_stray(const Moment& moment, const Particles<S>& particles, Index particle,
-                           const Patch<S>& patch) {
-    const auto low = patch.min(), high = patch.node_position(patch.cells());
-    if (!particles.position(particle).allFinite())
+                           const std::optional<Exit>& exit) {
+    if (!exit)
         return at(moment) + name(particles, particle) +
                " has no finite position. The step before was probably unstable: lower /time/cfl or "
                "/time/step.";
-    return at(moment) + name(particles, particle) +
-           fmt::format(
-               " left the grid, which reaches from ({:.6g}) to ({:.6g}). Enlarge /grid, close the face with "
-               "a boundary "
-               "condition, or set /health/off_grid to \"delete\" to let particles go.",
-               fmt::join(low.data(), low.data() + S::dimension, ", "),
-               fmt::join(high.data(), high.data() + S::dimension, ", "));
+    const std::string who = at(moment) + name(particles, particle) + " left the grid through " + exit->face;
+    switch (exit->through) {
+        case Exit::Through::closed:
+            return who + fmt::format(
+                             ", {:.2g} cells in one step, although the face is closed: nodes beside it are "
+                             "too fast for this step. Lower /time/cfl or /time/step, or choose another "
+                             "integrator or a smoother shape function.",
+                             exit->distance);
+        case Exit::Through::outflow:
+            return who +
+                   ", carried by the velocity that is prescribed there. Enlarge /grid, or set "
+                   "/health/off_grid to \"delete\" to let particles go.";
+        case Exit::Through::open:
+            break;
+    }
+    return who +
+           ". Enlarge /grid, close the face (by \"slip\", say), or set /health/off_grid to \"delete\" "
+           "to let particles go.";
 }
 
 template <class S>
@@ -89,20 +100,44 @@ std::string describe_standstill(const Moment& moment) {
            "not a number. Look for extreme material constants or velocities, or set /time/step.";
 }
 
-std::string describe_unstable_step(const Moment& moment, double stable_step, double wave_speed,
+std::string describe_unstable_step(const Moment& moment, double stable_step, double part, double wave_speed,
                                    double particle_speed) {
-    return at(moment) + fmt::format(
-                            "the step is longer than the stable one, {:.4g} s = cell size / (wave speed "
-                            "{:.4g} m/s + particle "
-                            "speed {:.4g} m/s). Lower /time/step or /time/cfl, or set /health/unstable_step "
-                            "to \"warn\" or "
-                            "\"ignore\".",
-                            stable_step, wave_speed, particle_speed);
+    const std::string limit =
+        part < 1 - 1e-6 ? fmt::format("{:.3g} (of this integrator and shape function) x ", part) : "";
+    return at(moment) +
+           fmt::format(
+               "the step is longer than the stable one, {:.4g} s = {}cell size / (wave speed {:.4g} m/s + "
+               "particle speed {:.4g} m/s). Lower /time/step or /time/cfl, or set /health/unstable_step to "
+               "\"warn\" or \"ignore\".",
+               stable_step, limit, wave_speed, particle_speed);
 }
 
-#define MATPOINT_INSTANTIATE(S)                                                                      \
-    template std::string describe_stray(const Moment&, const Particles<S>&, Index, const Patch<S>&); \
-    template std::string describe_fault(const Moment&, const Particles<S>&, const Fault&, double,    \
+std::string describe_energy_gain(const Moment& moment, double gain, double given) {
+    return at(moment) +
+           fmt::format(
+               "{:.4g} J of energy came from nowhere; the start, loads and walls have given {:.4g} J. Noise "
+               "grows: lower /time/cfl or /time/step, choose another integrator, a smoother shape function "
+               "or "
+               "a transfer that damps, or, if it can be meant, raise /health/energy_gain.",
+               gain, given);
+}
+
+std::string describe_energy_drift(double gain, double loss, double largest) {
+    const bool gained = gain > loss;
+    return fmt::format(
+        "{:.2g} % of the energy {} ({:.3g} of {:.3g} J): {} Shorter steps, a finer grid or another "
+        "integrator "
+        "or transfer keep it better; /health/energy_drift sets what is told.",
+        100 * std::max(gain, loss) / largest, gained ? "came from nowhere" : "was lost", std::max(gain, loss),
+        largest,
+        gained ? "noise grows, or the step is long."
+               : "integrator or transfer damp what the grid does not resolve.");
+}
+
+#define MATPOINT_INSTANTIATE(S)                                                                   \
+    template std::string describe_stray(const Moment&, const Particles<S>&, Index,                \
+                                        const std::optional<Exit>&);                              \
+    template std::string describe_fault(const Moment&, const Particles<S>&, const Fault&, double, \
                                         const Origin&);
 MATPOINT_FOR_EACH_SPACE(MATPOINT_INSTANTIATE)
 

@@ -18,7 +18,7 @@ struct Moment {
 
 template <class S>
 std::string describe_stray(const Moment& moment, const Particles<S>& particles, Index particle,
-                           const Patch<S>& patch);
+                           const std::optional<Exit>& exit);
 template <class S>
 std::string describe_fault(const Moment& moment, const Particles<S>& particles, const Fault& fault,
                            double stable_step, const Origin& material);
@@ -31,7 +31,11 @@ std::string describe_failure(const Moment& moment, const ComponentFailure& failu
 std::string describe_missing_waves(const Moment& moment, const std::string& body, const Origin& material);
 /// A step that leaves the time where it is.
 std::string describe_standstill(const Moment& moment);
-std::string describe_unstable_step(const Moment& moment, double stable_step, double wave_speed,
+/// One that is longer than `part` of the time in which waves and particles cross a cell.
+std::string describe_unstable_step(const Moment& moment, double stable_step, double part, double wave_speed,
                                    double particle_speed);
+/// Energies in J: what came from nowhere, and what the start and all sources gave.
+std::string describe_energy_gain(const Moment& moment, double gain, double given);
+std::string describe_energy_drift(double gain, double loss, double largest);
 
 }  // namespace matpoint

@@ -2,6 +2,7 @@
 
 #include "config/formula_places.hpp"
 #include "run/derived_fields.hpp"
+#include "run/shortest_wave.hpp"
 
 #include <fmt/format.h>
 
@@ -10,6 +11,11 @@
 #include <utility>
 
 namespace matpoint {
+
+namespace {
+/// Steps after which energies that lag by a half or a whole step are large beside the lag.
+constexpr long settling_steps = 10;
+}  // namespace
 
 template <class S>
 SceneSimulation<S>::SceneSimulation(const Scene& scene, PluginCatalogue& catalogue)
@@ -21,6 +27,8 @@ SceneSimulation<S>::SceneSimulation(const Scene& scene, PluginCatalogue& catalog
       guarded_(scene.resolved.at("/health/enabled"_json_pointer).get<bool>()),
       deletes_strays_(scene.resolved.at("/health/off_grid"_json_pointer) == "delete"),
       on_unstable_step_(scene.resolved.at("/health/unstable_step"_json_pointer).get<std::string>()),
+      most_drift_(scene.resolved.at("/health/energy_drift"_json_pointer).get<double>()),
+      most_gain_(scene.resolved.at("/health/energy_gain"_json_pointer).get<double>()),
       assembly_(assemble<S>(scene, catalogue.registry())),
       engine_(assembly_.components, assembly_.bodies, assembly_.first_states),
       smallest_cell_(static_cast<double>(engine_.patch().cell_size().minCoeff())) {
@@ -38,6 +46,9 @@ SceneSimulation<S>::SceneSimulation(const Scene& scene, PluginCatalogue& catalog
     engine_.measure();
     warnings_ = assembly_.warnings;
     if (guarded_) refuse_faults(scene);
+    const double phase = shortest_wave_phase(engine_.patch(), assembly_.bodies, *assembly_.components.shape);
+    // Beyond 1 a particle could cross a cell in a step.
+    stable_part_ = phase > 0 ? std::min(assembly_.components.integrator->largest_phase() / phase, 1.0) : 1.0;
     numbers_.first_mass = mass();
     numbers_.given_momentum = engine_.tally().momentum;
     numbers_.first_energy = energies().total();
@@ -79,16 +90,21 @@ bool SceneSimulation<S>::finished() const {
 }
 
 template <class S>
-double SceneSimulation<S>::stable_step() const {
-    const double speed = numbers_.wave_speed + numbers_.particle_speed;
+double SceneSimulation<S>::crossing_time() const {
+    const double speed = engine_.tally().largest_wave_speed + engine_.tally().largest_speed;
     return speed > 0 ? smallest_cell_ / speed : std::numeric_limits<double>::infinity();
 }
 
 template <class S>
 double SceneSimulation<S>::next_time_step() const {
     if (step_length_ > 0) return step_length_;
-    // Something at rest without stiffness has no time scale of its own: take a hundredth of the run's.
-    return std::min(cfl_ * stable_step(), end_ / 100);
+    double time = crossing_time();
+    // What is at rest, and hardly stiff, crosses a cell as the loads set it in motion.
+    const double acceleration = engine_.tally().load_acceleration;
+    if (acceleration > 0 && std::isfinite(acceleration))
+        time = std::min(time, std::sqrt(2 * smallest_cell_ / acceleration));
+    // Where nothing moves, nothing is stiff and nothing pulls there is no time but the run's.
+    return std::isfinite(time) ? cfl_ * time : end_ / 100;
 }
 
 template <class S>
@@ -100,9 +116,9 @@ long SceneSimulation<S>::estimated_steps() const {
 
 template <class S>
 void SceneSimulation<S>::advance() {
-    const double dt = next_time_step();
+    const double dt = next_time_step(), stable = stable_step();
     remove_strays();
-    if (guarded_) guard_step(dt);
+    check_step();
     if (!(time_ + dt > time_)) throw Breakdown(describe_standstill({step_, time_, dt}));
 
     try {
@@ -116,24 +132,25 @@ void SceneSimulation<S>::advance() {
     const Tally& tally = engine_.tally();
     if (guarded_ && !engine_.faults().empty()) {
         const Fault& fault = engine_.faults().front();
-        throw Breakdown(describe_fault({step_, time_, dt}, assembly_.bodies[fault.body], fault, stable_step(),
+        throw Breakdown(describe_fault({step_, time_, dt}, assembly_.bodies[fault.body], fault, stable,
                                        engine_.material(fault.body).origin()));
     }
     if (guarded_ && tally.stiff_without_waves) guard_waves();
     numbers_.strain += tally.strain_work;
     numbers_.external += tally.external_work;
     for (std::size_t c = 0; c < 3; ++c) numbers_.given_momentum[c] += tally.impulse[c];
+    if (guarded_) guard_energy(dt);
     last_time_step_ = dt;
     ++step_;
     time_ = step_length_ > 0 ? numbers_.fixed_from_time +
                                    (static_cast<double>(step_) - numbers_.fixed_from_step) * step_length_
                              : time_ + dt;
     account();
-    if (finished()) warn_of_idle_parts();
+    if (finished()) warn_at_end();
 }
 
 template <class S>
-void SceneSimulation<S>::warn_of_idle_parts() {
+void SceneSimulation<S>::warn_at_end() {
     const auto& conditions = assembly_.components.conditions;
     for (std::size_t k = 0; k < conditions.size(); ++k)
         if (conditions[k].region && !engine_.held()[k])
@@ -141,17 +158,27 @@ void SceneSimulation<S>::warn_of_idle_parts() {
                 fmt::format("/boundary_conditions/{}: no body ever was in its region: it held nothing", k));
     if (assembly_.error && numbers_.error.count == 0)
         warnings_.push_back("/exact_solution: nothing was there to be compared with it: no error is given");
+    if (guarded_ && conservation().energy_drift > most_drift_)
+        warnings_.push_back(
+            describe_energy_drift(numbers_.energy_gain, numbers_.energy_loss, numbers_.largest_energy));
+}
+
+template <class S>
+double SceneSimulation<S>::given_energy() const {
+    const Energies e = energies();
+    return numbers_.first_energy + std::max(e.external, 0.0) + std::max(-e.strain, 0.0);
 }
 
 template <class S>
 void SceneSimulation<S>::account() {
     const Tally& tally = engine_.tally();
-    numbers_.wave_speed = tally.largest_wave_speed;
-    numbers_.particle_speed = tally.largest_speed;
     const Energies e = energies();
     numbers_.largest_energy =
         std::max({numbers_.largest_energy, e.kinetic, std::abs(e.strain), std::abs(e.external)});
-    numbers_.energy_drift = std::max(numbers_.energy_drift, std::abs(e.total() - numbers_.first_energy));
+    numbers_.given_energy = std::max(numbers_.given_energy, given_energy());
+    const double gain = e.total() - numbers_.first_energy;
+    numbers_.energy_gain = std::max(numbers_.energy_gain, gain);
+    numbers_.energy_loss = std::max(numbers_.energy_loss, -gain);
     numbers_.largest_momentum = std::max(numbers_.largest_momentum, tally.momentum_scale);
     // Radial momentum of rings is no conserved quantity: the hoop stress changes it.
     for (std::size_t c = S::axisymmetric ? 1 : 0; c < 3; ++c)
@@ -164,7 +191,8 @@ Conservation SceneSimulation<S>::conservation() const {
     const auto relative = [](double drift, double scale) { return scale > 0 ? drift / scale : 0; };
     return {relative(std::abs(mass() + numbers_.lost_mass - numbers_.first_mass), numbers_.first_mass),
             relative(numbers_.momentum_drift, numbers_.largest_momentum),
-            relative(numbers_.energy_drift, numbers_.largest_energy), numbers_.lost_mass};
+            relative(std::max(numbers_.energy_gain, numbers_.energy_loss), numbers_.largest_energy),
+            numbers_.lost_mass};
 }
 
 template <class S>
@@ -202,8 +230,9 @@ void SceneSimulation<S>::remove_strays() {
     if (strays.empty()) return;
     const Stray& first = strays.front();
     if (!deletes_strays_ || !assembly_.bodies[first.body].position(first.particle).allFinite())
-        throw Breakdown(describe_stray({step_, time_, next_time_step()}, assembly_.bodies[first.body],
-                                       first.particle, engine_.patch()));
+        throw Breakdown(
+            describe_stray({step_, time_, next_time_step()}, assembly_.bodies[first.body], first.particle,
+                           engine_.exit(assembly_.bodies[first.body].position(first.particle), time_)));
 
     for (std::size_t b = 0, s = 0; b < assembly_.bodies.size(); ++b) {
         Particles<S>& particles = assembly_.bodies[b];
@@ -230,10 +259,12 @@ void SceneSimulation<S>::remove_strays() {
 }
 
 template <class S>
-void SceneSimulation<S>::guard_step(double dt) {
-    if (on_unstable_step_ == "ignore" || dt <= stable_step() * (1 + 1e-9)) return;
-    const std::string text = describe_unstable_step({step_, time_, dt}, stable_step(), numbers_.wave_speed,
-                                                    numbers_.particle_speed);
+void SceneSimulation<S>::check_step() {
+    const double dt = next_time_step();
+    if (!guarded_ || on_unstable_step_ == "ignore" || dt <= stable_step() * (1 + 1e-9)) return;
+    const Tally& tally = engine_.tally();
+    const std::string text = describe_unstable_step({step_, time_, dt}, stable_step(), stable_part_,
+                                                    tally.largest_wave_speed, tally.largest_speed);
     if (on_unstable_step_ == "error") throw Breakdown(text);
     warn_once("stable", text);
 }
@@ -256,14 +287,23 @@ void SceneSimulation<S>::guard_waves() {
     warnings_.push_back(text);
 }
 
-#define MATPOINT_INSTANTIATE(S)                                                   \
-    template SceneSimulation<S>::SceneSimulation(const Scene&, PluginCatalogue&); \
-    template bool SceneSimulation<S>::finished() const;                           \
-    template void SceneSimulation<S>::advance();                                  \
-    template void SceneSimulation<S>::measure_error();                            \
-    template std::optional<Json> SceneSimulation<S>::error() const;               \
-    template double SceneSimulation<S>::next_time_step() const;                   \
-    template long SceneSimulation<S>::estimated_steps() const;                    \
+template <class S>
+void SceneSimulation<S>::guard_energy(double dt) const {
+    const double gain = energies().total() - numbers_.first_energy;
+    const double given = std::max(numbers_.given_energy, given_energy());
+    if (step_ >= settling_steps && gain > most_gain_ * given)
+        throw Breakdown(describe_energy_gain({step_, time_, dt}, gain, given));
+}
+
+#define MATPOINT_INSTANTIATE(S)                                                    \
+    template SceneSimulation<S>::SceneSimulation(const Scene&, PluginCatalogue&);  \
+    template bool SceneSimulation<S>::finished() const;                            \
+    template void SceneSimulation<S>::advance();                                   \
+    template void SceneSimulation<S>::check_step();                                \
+    template void SceneSimulation<S>::measure_error();                             \
+    template std::optional<Json> SceneSimulation<S>::error() const;                \
+    template double SceneSimulation<S>::next_time_step() const;                    \
+    template long SceneSimulation<S>::estimated_steps() const;                     \
     template Conservation SceneSimulation<S>::conservation() const;
 MATPOINT_FOR_EACH_SPACE(MATPOINT_INSTANTIATE)
 

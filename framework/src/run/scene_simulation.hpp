@@ -16,6 +16,8 @@ class SceneSimulation final : public Simulation {
     bool finished() const override;
     void advance() override;
     double next_time_step() const override;
+    double stable_step() const override { return stable_part_ * crossing_time(); }
+    void check_step() override;
     long estimated_steps() const override;
 
     void measure_error() override;
@@ -55,12 +57,13 @@ class SceneSimulation final : public Simulation {
   private:
     /// What is added up over the run, and what the next step needs beyond the particles.
     struct Numbers {
-        double strain = 0, external = 0;  // J
-        double first_energy = 0, largest_energy = 0, energy_drift = 0;
-        double first_mass = 0, lost_mass = 0;    // kg
-        std::array<double, 3> given_momentum{};  // kg m/s, at the start and by all impulses since
+        double strain = 0, external = 0;              // J
+        double first_energy = 0, largest_energy = 0;  // J
+        double given_energy = 0;                      // most that the start and what acts from outside gave
+        double energy_gain = 0, energy_loss = 0;      // largest, of the balance
+        double first_mass = 0, lost_mass = 0;         // kg
+        std::array<double, 3> given_momentum{};       // kg m/s, at the start and by all impulses since
         double largest_momentum = 0, momentum_drift = 0;
-        double wave_speed = 0, particle_speed = 0;  // m/s
         /// A fixed step, s, and the step and time (s) from which it is counted: those of a restart that
         /// changed it.
         double fixed_step = 0, fixed_from_step = 0, fixed_from_time = 0;
@@ -72,13 +75,17 @@ class SceneSimulation final : public Simulation {
 
     const Particles<S>& body(const std::string& name) const;
     void check_outputs(const Scene& scene);
-    double stable_step() const;
+    /// Time that a wave and a particle take to cross a cell, s.
+    double crossing_time() const;
     void remove_strays();
-    void guard_step(double dt);
     void guard_waves();
     void refuse_faults(const Scene& scene) const;
     void account();
-    void warn_of_idle_parts();
+    /// What the start, loads, walls and the release of stress at the start have given, J.
+    double given_energy() const;
+    void guard_energy(double dt) const;
+    /// At the end: what did nothing, and energy that was not kept.
+    void warn_at_end();
     /// Unless a warning has the word already.
     void warn_once(const std::string& word, const std::string& text);
 
@@ -88,9 +95,11 @@ class SceneSimulation final : public Simulation {
     long max_steps_;
     bool guarded_, deletes_strays_;
     std::string on_unstable_step_;
+    double most_drift_, most_gain_;  ///< of energy, in parts
     Assembly<S> assembly_;
     Engine<S> engine_;
     double smallest_cell_;
+    double stable_part_;  ///< of the time that a wave takes to cross a cell
 
     long step_ = 0;
     double time_ = 0, last_time_step_ = 0;

@@ -127,13 +127,13 @@ void SceneSimulation<S>::Numbers::visit(Numbers_& n, const Visitor& visitor) {
     visitor("external", n.external);
     visitor("first_energy", n.first_energy);
     visitor("largest_energy", n.largest_energy);
-    visitor("energy_drift", n.energy_drift);
+    visitor("given_energy", n.given_energy);
+    visitor("energy_gain", n.energy_gain);
+    visitor("energy_loss", n.energy_loss);
     visitor("first_mass", n.first_mass);
     visitor("lost_mass", n.lost_mass);
     visitor("largest_momentum", n.largest_momentum);
     visitor("momentum_drift", n.momentum_drift);
-    visitor("wave_speed", n.wave_speed);
-    visitor("particle_speed", n.particle_speed);
     visitor("fixed_step", n.fixed_step);
     visitor("fixed_from_step", n.fixed_from_step);
     visitor("fixed_from_time", n.fixed_from_time);
@@ -149,6 +149,22 @@ std::string held_name(std::size_t condition) {
     return fmt::format("boundary_condition_{}_held", condition);
 }
 
+/// Every number of a step's tally by name, for checkpoints: sums over particles in another order would differ
+/// in their last bits.
+template <class Tally_, class Visitor>
+void visit_tally(Tally_& t, const Visitor& visitor) {
+    visitor("kinetic", t.kinetic);
+    visitor("momentum_scale", t.momentum_scale);
+    visitor("particle_speed", t.largest_speed);
+    visitor("wave_speed", t.largest_wave_speed);
+    visitor("load_acceleration", t.load_acceleration);
+    for (std::size_t c = 0; c < 3; ++c) {
+        visitor(fmt::format("momentum_{}", c), t.momentum[c]);
+        for (std::size_t k = 0; k < t.reactions.size(); ++k)
+            visitor(fmt::format("reaction_{}_{}", k, c), t.reactions[k][c]);
+    }
+}
+
 template <class S>
 CheckpointData SceneSimulation<S>::state() const {
     CheckpointData data;
@@ -158,8 +174,9 @@ CheckpointData SceneSimulation<S>::state() const {
     data.time = time_;
     data.plugins = plugins_;
     data.numbers["last_time_step"] = last_time_step_;
-    Numbers::visit(numbers_,
-                   [&](const std::string& name, const double& value) { data.numbers[name] = value; });
+    const auto save = [&](const std::string& name, const double& value) { data.numbers[name] = value; };
+    Numbers::visit(numbers_, save);
+    visit_tally(engine_.tally(), save);
     for (std::size_t k = 0; k < engine_.held().size(); ++k) data.numbers[held_name(k)] = engine_.held()[k];
     for (std::size_t b = 0; b < assembly_.bodies.size(); ++b) {
         const Particles<S>& particles = assembly_.bodies[b];
@@ -207,8 +224,19 @@ void SceneSimulation<S>::restore(const CheckpointData& data) {
     using Real = typename S::Real;
     step_ = data.step;
     time_ = data.time;
-    last_time_step_ = data.numbers.at("last_time_step");
-    Numbers::visit(numbers_, [&](const std::string& name, double& value) { value = data.numbers.at(name); });
+    const auto load = [&](const std::string& name, double& value) {
+        const auto saved = data.numbers.find(name);
+        if (saved == data.numbers.end())
+            throw CheckpointError(fmt::format(
+                "the checkpoint lacks \"{}\": the Matpoint that wrote it, or its scene, was another one",
+                name));
+        value = saved->second;
+    };
+    load("last_time_step", last_time_step_);
+    Numbers::visit(numbers_, load);
+    Tally tally = engine_.tally();
+    visit_tally(tally, load);
+    engine_.restore(tally);
     for (std::size_t k = 0; k < engine_.held().size(); ++k)
         if (const auto held = data.numbers.find(held_name(k)); held != data.numbers.end())
             engine_.held()[k] = held->second != 0;
@@ -244,7 +272,6 @@ void SceneSimulation<S>::restore(const CheckpointData& data) {
         }
         engine_.restore(b, std::move(ranges));
     }
-    engine_.measure();
 }
 
 #define MATPOINT_INSTANTIATE(S) template class SceneSimulation<S>;

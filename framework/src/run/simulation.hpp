@@ -54,6 +54,10 @@ class Simulation : public RunView {
     virtual const std::vector<std::string>& warnings() const = 0;
     /// Time step the next advance() would take, s.
     virtual double next_time_step() const = 0;
+    /// Longest time step that is stable in the present state, s.
+    virtual double stable_step() const = 0;
+    /// Throws Breakdown if the next step is longer, or keeps a warning, as the scene asks.
+    virtual void check_step() = 0;
 
     virtual CheckpointData state() const = 0;
     /// Continues from a state of the same scene; the next steps equal the uninterrupted run's.
@@ -72,7 +76,7 @@ class Simulation : public RunView {
     /// Compares the present state with the exact solution; called once before the first step and once after
     /// each.
     virtual void measure_error() = 0;
-    /// Steps left if the time step stays as it is, for the ETA.
+    /// Steps left if the time step stays as it is.
     virtual long estimated_steps() const = 0;
     using RunView::particle_count;
 };

@@ -52,7 +52,7 @@ Json summarise(const Simulation& simulation, const PluginCatalogue& catalogue, c
         {"wall_seconds", clock.step_wall_seconds},
         {"cpu_seconds", clock.step_cpu_seconds},
         {"nanoseconds_per_particle_step",
-         clock.particle_steps > 0 ? 1e9 * clock.step_wall_seconds / clock.particle_steps : 0.0},
+         clock.particle_steps > 0 ? Json(1e9 * clock.step_wall_seconds / clock.particle_steps) : Json()},
         {"phases", simulation.phase_seconds()},
         {"particle_steps", clock.particle_steps},
         {"threads", threads()},
@@ -92,11 +92,12 @@ void print_closing_table(const Simulation& simulation, const RunResult& result) 
     const Json& s = result.summary;
     const auto& final_values = s.at("final");
     const auto& conservation = s.at("conservation");
+    const Json& cost = s.at("nanoseconds_per_particle_step");
     fmt::print(
-        "{}: {} steps to t = {:.6g} s, {} particles, {:.3g} s ({:.1f} ns per particle and step, {} B per "
-        "particle)\n",
+        "{}: {} steps to t = {:.6g} s, {} particles, {:.3g} s ({}, {} B per particle)\n",
         s.at("status").get<std::string>(), simulation.step(), simulation.time(), simulation.particle_count(),
-        s.at("wall_seconds").get<double>(), s.at("nanoseconds_per_particle_step").get<double>(),
+        s.at("wall_seconds").get<double>(),
+        cost.is_null() ? "no step taken" : fmt::format("{:.1f} ns per particle and step", cost.get<double>()),
         simulation.bytes_per_particle());
     fmt::print("  {:<14} {:>14} {:>12}\n", "", "at the end", "drift");
     fmt::print("  {:<14} {:>14.6g} {:>12.2e}\n", "mass", final_values.at("mass").get<double>(),

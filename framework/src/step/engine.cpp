@@ -3,7 +3,9 @@
 #include <matpoint/parallel.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace matpoint {
 
@@ -67,9 +69,11 @@ void Engine<S>::prepare() {
 
 template <class S>
 void Engine<S>::project_velocity(double time) {
+    const Tally kept = tally_;
     time_ = velocity_from_ = time;
     prepare();
     project({.velocity = true});
+    tally_ = kept;  // no step was taken
 }
 
 template <class S>
@@ -154,12 +158,20 @@ void Engine<S>::apply_loads() {
     patch_.clear(NodeField::external_force);
     LoadContext<S> context{time_, patch_, bodies_, *components_.shape, components_.exact_solution.get()};
     for (const auto& load : components_.loads) guarded(*load, "apply", [&] { load->apply(context); });
+    double squares = 0;
     for (int c = 0; c < S::dimension; ++c) {
         const Real* force = patch_.column(NodeField::external_force, c);
-        double total = 0;
-        for (Index i = 0; i < patch_.node_count(); ++i) total += static_cast<double>(force[i]);
+        double total = 0, size = 0;
+        for (Index i = 0; i < patch_.node_count(); ++i) {
+            total += static_cast<double>(force[i]);
+            size += std::abs(static_cast<double>(force[i]));
+        }
         load_force_[static_cast<std::size_t>(c)] = total;
+        squares += size * size;
     }
+    const Real* mass = patch_.column(NodeField::mass);
+    const double whole = std::accumulate(mass, mass + patch_.node_count(), 0.0);
+    tally_.load_acceleration = whole > 0 ? std::sqrt(squares) / whole : 0;
     walls_.fold_force(patch_, NodeField::external_force);
 }
 

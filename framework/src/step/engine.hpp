@@ -50,6 +50,7 @@ struct Tally {
     std::array<double, 3> impulse{};               ///< N s, of loads and boundaries in the step
     double largest_speed = 0;                      ///< of a particle, m/s
     double largest_wave_speed = 0;                 ///< m/s
+    double load_acceleration = 0;                  ///< m/s^2, mean size of the loads' over the mass
     std::vector<std::array<double, 3>> reactions;  ///< N, by boundary condition
     /// The first body whose stress does work though its material has no waves.
     std::optional<std::size_t> stiff_without_waves{};
@@ -104,10 +105,14 @@ class Engine final : public Phases<S> {
     /// Mass and velocity of the nodes as the present particles give them, as a step that begins at `time` (s)
     /// would have them.
     void project_velocity(double time);
-    /// Kinetic energy, momentum and speeds of the present state, before the first step.
+    /// Kinetic energy, momentum, speeds and loads of the state before the first step.
     void measure();
 
     const Ordering<S>& ordering() const { return ordering_; }
+    std::optional<Exit> exit(const typename S::Vector& x, double time) const {
+        return walls_.exit(patch_, x, time);
+    }
+    void restore(const Tally& tally) { tally_ = tally; }
     void restore(std::size_t body, std::vector<BlockRange> ranges) {
         ordering_.restore(patch_, bodies_, body, std::move(ranges));
         located_ = false;
@@ -134,6 +139,8 @@ class Engine final : public Phases<S> {
     /// Momentum to velocity, zero where there is hardly any mass; then walls, at `time`.
     void finish_velocity(NodeField field, double time);
     void add_load_work(Real dt, Real factor);
+    /// Puts particles back that are beyond closed faces by hardly more than nothing.
+    void hold_at_walls();
     void add_reactions(NodeField source, NodeField value, double share, double time);
     Index node_tasks() const;
     /// body(task, begin, end) of each task over nodes [begin, end).

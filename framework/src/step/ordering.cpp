@@ -13,6 +13,7 @@ constexpr Index chunk = 4096;  // particles handled per task and per call of bas
 
 template <class S>
 std::vector<Stray> Ordering<S>::strays(const Patch<S>& patch, const std::vector<Particles<S>>& bodies) const {
+    const Bounds<S> room = domain(patch);
     std::vector<Stray> found;
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         const Index n = bodies[b].size();
@@ -21,8 +22,7 @@ std::vector<Stray> Ordering<S>::strays(const Patch<S>& patch, const std::vector<
             const Index end = std::min(n, (k + 1) * chunk);
             for (int a = 0; a < S::dimension; ++a) {
                 const auto* x = bodies[b].column(Field::position, a);
-                const auto low = patch.min()[a];
-                const auto high = patch.node_position(patch.cells())[a];
+                const auto low = room.low[a], high = room.high[a];
                 for (Index p = k * chunk; p < end; ++p)
                     if (!(x[p] >= low && x[p] <= high))
                         by_chunk[static_cast<std::size_t>(k)].push_back({b, p});

@@ -2,6 +2,8 @@
 
 #include <matpoint/shape_function.hpp>
 
+#include <cmath>
+#include <limits>
 #include <vector>
 
 namespace matpoint {
@@ -23,6 +25,18 @@ template <class S>
 struct Bounds {
     typename S::Vector low, high;
 };
+
+/// Where particles may be: within the grid's faces and, axisymmetric, off the axis, where v_r / r is lost to
+/// rounding.
+template <class S>
+Bounds<S> domain(const Patch<S>& patch) {
+    using Real = typename S::Real;
+    Bounds<S> room{patch.min(), patch.node_position(patch.cells())};
+    if constexpr (S::axisymmetric)
+        room.low[0] =
+            std::max(room.low[0], std::sqrt(std::numeric_limits<Real>::epsilon()) * patch.cell_size()[0]);
+    return room;
+}
 
 /// Keeps every body's particles in the order of the blocks that their stencils begin in.
 ///
@@ -48,8 +62,10 @@ class Ordering {
     /// Range numbers of a body by colour: stencils of ranges of one colour never overlap, and each
     /// node receives its sums in the order of colours, whatever the number of threads.
     const std::vector<std::vector<Index>>& colours(std::size_t body) const { return colours_[body]; }
-    /// Where the particles of each range of a body are. Whoever moves them keeps it up to date.
+    /// Where the particles of each range of a body are. Whoever moves them keeps it up to date, or has it
+    /// measured anew.
     std::vector<Bounds<S>>& bounds(std::size_t body) { return bounds_[body]; }
+    void measure(const Particles<S>& particles, std::size_t body);
 
     /// Continues with the ranges of a checkpoint.
     void restore(const Patch<S>& patch, const std::vector<Particles<S>>& bodies, std::size_t body,
@@ -66,7 +82,6 @@ class Ordering {
     bool strayed(const Patch<S>& patch, const Particles<S>& particles, std::size_t body,
                  const ShapeFunction<S>& shape) const;
     void colour(const Patch<S>& patch, std::size_t body);
-    void measure(const Particles<S>& particles, std::size_t body);
     void sort(const Patch<S>& patch, Particles<S>& particles, Ranges& ranges, const ShapeFunction<S>& shape);
     Column order(const Patch<S>& patch, const Particles<S>& particles, Ranges& ranges,
                  const ShapeFunction<S>& shape) const;

@@ -23,8 +23,7 @@ class Engine<S>::BatchUpdate final : public GatherSink<S> {
     BatchUpdate(const Patch<S>& patch, Particles<S>& particles, std::size_t body, const Material<S>& material,
                 int first_state, const Transfer<S>& transfer, typename Phases<S>::Update what, Real dt,
                 Partial& sums)
-        : low_(patch.min()),
-          high_(patch.node_position(patch.cells())),
+        : room_(domain(patch)),
           particles_(particles),
           body_(body),
           material_(material),
@@ -84,7 +83,7 @@ class Engine<S>::BatchUpdate final : public GatherSink<S> {
   private:
     MATPOINT_FLATTEN void move(const ParticleBatch<S>& batch) {
         for (int a = 0; a < S::dimension; ++a) {
-            const Number low(low_[a]), high(high_[a]);
+            const Number low(room_.low[a]), high(room_.high[a]);
             Number least(bounds_.low[a]), greatest(bounds_.high[a]);
             auto inside = low <= high;
             Real* const column = particles_.column(Field::position, a);
@@ -193,7 +192,7 @@ class Engine<S>::BatchUpdate final : public GatherSink<S> {
         if (!sums_.fault) sums_.fault = Fault{body_, p, kind, value};
     }
 
-    typename S::Vector low_, high_;  ///< faces of the grid
+    Bounds<S> room_;  ///< that particles may be in
     Bounds<S> bounds_{S::Vector::Constant(std::numeric_limits<Real>::infinity()),
                       S::Vector::Constant(-std::numeric_limits<Real>::infinity())};
     Particles<S>& particles_;
@@ -240,6 +239,15 @@ void Engine<S>::update(typename Phases<S>::Update what, Real dt) {
         });
     }
     collect(what);
+    if (what.position && off_grid_) hold_at_walls();
+}
+
+template <class S>
+void Engine<S>::hold_at_walls() {
+    off_grid_ = false;
+    for (const Stray& stray : ordering_.strays(patch_, bodies_))
+        if (!walls_.hold(patch_, bodies_[stray.body], stray.particle, velocity_to_)) off_grid_ = true;
+    for (std::size_t b = 0; b < bodies_.size(); ++b) ordering_.measure(bodies_[b], b);
 }
 
 template <class S>
@@ -259,6 +267,11 @@ void Engine<S>::measure() {
         }
     }
     collect({.velocity = true, .stress = NodeField::velocity});
+    if (components_.loads.empty()) return;
+    Tally found = tally_;
+    project({.velocity = true});
+    found.load_acceleration = tally_.load_acceleration;
+    tally_ = std::move(found);  // no step was taken
 }
 
 /// Dust has no waves, and its stress does no work.

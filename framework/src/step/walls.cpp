@@ -2,6 +2,14 @@
 
 namespace matpoint {
 
+namespace {
+
+/// Cells beyond a closed face from which particles are put back: rounding leaves them at 1e-16, nodes with
+/// hardly any mass at a few per cent.
+constexpr double reach_of_walls = 0.1;
+
+}  // namespace
+
 template <class S>
 Walls<S>::Walls(std::vector<PlacedCondition<S>> conditions) : conditions_(std::move(conditions)) {
     for (int axis = 0; axis < S::dimension; ++axis)
@@ -175,6 +183,39 @@ void Walls<S>::fill_acceleration(Patch<S>& patch, double from, double to, double
     fill(patch, NodeField::acceleration, [&](int condition, int c, const Vector& x) {
         return (velocity(condition, c, x, to) - velocity(condition, c, x, from)) / static_cast<Real>(dt);
     });
+}
+
+template <class S>
+std::optional<Exit> Walls<S>::exit(const Face& face, const Patch<S>& patch, const Vector& x,
+                                   double time) const {
+    const Real inwards = face.side == 0 ? 1 : -1;
+    const Real distance = inwards * (face.place(patch) - x[face.axis]);
+    if (!(distance > 0)) return {};
+    Exit exit{face_name(face.axis, face.side),
+              static_cast<double>(distance * patch.inverse_cell_size()[face.axis]), Exit::Through::open};
+    if (const int condition = face.condition[static_cast<std::size_t>(face.axis)]; condition >= 0)
+        exit.through = inwards * velocity(condition, face.axis, x, time) < 0 ? Exit::Through::outflow
+                                                                             : Exit::Through::closed;
+    return exit;
+}
+
+template <class S>
+std::optional<Exit> Walls<S>::exit(const Patch<S>& patch, const Vector& x, double time) const {
+    if (x.allFinite())
+        for (const Face& face : faces_)
+            if (auto own = exit(face, patch, x, time)) return own;
+    return {};
+}
+
+template <class S>
+bool Walls<S>::hold(const Patch<S>& patch, Particles<S>& particles, Index particle, double time) const {
+    for (const Face& face : faces_) {
+        const auto own = exit(face, patch, particles.position(particle), time);
+        if (own && own->through == Exit::Through::closed && own->distance <= reach_of_walls)
+            particles.column(Field::position, face.axis)[particle] = face.place(patch);
+    }
+    const Vector x = particles.position(particle);
+    return x.allFinite() && !exit(patch, x, time);
 }
 
 template <class S>

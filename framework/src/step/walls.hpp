@@ -4,8 +4,11 @@
 #include <matpoint/geometry.hpp>
 #include <matpoint/grid.hpp>
 
+#include "step/ordering.hpp"
+
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +32,12 @@ template <class S>
 bool holds_on(const PlacedCondition<S>& placed, int axis, int side) {
     return std::ranges::find(placed.faces, face_name(axis, side)) != placed.faces.end();
 }
+/// How a particle that is beyond a face of the grid got there.
+struct Exit {
+    std::string face;  ///< "x_min", …
+    double distance;   ///< beyond it, in cells
+    enum class Through { open, outflow, closed } through;
+};
 
 /// What happens to the nodes at and beyond the grid's faces, and in regions with prescribed velocity.
 ///
@@ -74,6 +83,13 @@ class Walls {
     void reaction(const Patch<S>& patch, NodeField source, NodeField value, double time,
                   std::vector<Sum>& sums) const;
 
+    /// The face that a particle at `x` is beyond, if there is one. It is closed where its condition
+    /// prescribes the normal velocity, and none that carries particles out, at `time`.
+    std::optional<Exit> exit(const Patch<S>& patch, const Vector& x, double time) const;
+    /// Puts a particle that is beyond closed faces by hardly more than nothing onto them: velocities vanish
+    /// there, but rounding and nodes with hardly any mass push on. Whether it is on the grid then.
+    bool hold(const Patch<S>& patch, Particles<S>& particles, Index particle, double time) const;
+
     const std::vector<PlacedCondition<S>>& conditions() const { return conditions_; }
 
   private:
@@ -87,6 +103,11 @@ class Walls {
         std::array<int, S::dimension> condition;  ///< index into conditions_ by component; -1: free
         bool wall = false;
         std::vector<Link> links;
+        /// Where particles stop, along the axis.
+        Real place(const Patch<S>& patch) const {
+            const Bounds<S> room = domain(patch);
+            return side == 0 ? room.low[axis] : room.high[axis];
+        }
     };
     struct Prescribed {
         int node;
@@ -95,6 +116,7 @@ class Walls {
         Vector position;
     };
 
+    std::optional<Exit> exit(const Face& face, const Patch<S>& patch, const Vector& x, double time) const;
     template <class Value>
     void fill(Patch<S>& patch, NodeField field, const Value& prescribed) const;
     Real velocity(int condition, int component, const Vector& position, double time) const;

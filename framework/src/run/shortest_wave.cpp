@@ -1,0 +1,68 @@
+#include "run/shortest_wave.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace matpoint {
+
+namespace {
+
+constexpr Index sample = 256;  // particles of a body that stand for all
+constexpr int places = 4;      // of a body in the cells
+
+/// A place in the same cell, farther by a part of it along all axes, and round to its other side.
+template <class S>
+typename S::Vector shifted(const Patch<S>& patch, typename S::Vector x, double part) {
+    using Real = typename S::Real;
+    for (int a = 0; a < S::dimension; ++a) {
+        const auto min = static_cast<double>(patch.min()[a]), h = static_cast<double>(patch.cell_size()[a]);
+        const double xi = (static_cast<double>(x[a]) - min) / h, within = xi - std::floor(xi) + part;
+        x[a] = static_cast<Real>(min + (std::floor(xi) + within - std::floor(within)) * h);
+    }
+    return x;
+}
+
+/// Root mean square of the slope (1/m) of velocities +1 and -1 at every other node along an axis; of the
+/// axis where it is largest.
+template <class S>
+double slope(const Patch<S>& patch, const Particles<S>& particles, const ShapeFunction<S>& shape,
+             double part) {
+    const Index count = std::min(sample, particles.size());
+    std::array<double, S::dimension> squares{};
+    for (Index p = 0; p < count; ++p) {
+        const typename S::Vector half_size = particles.has(Field::half_size)
+                                                 ? particles.vector(Field::half_size, p)
+                                                 : S::Vector::Zero().eval();
+        const typename S::Vector x = particles.vector(Field::position, p);
+        const auto stencil = shape.stencil(patch, shifted(patch, x, part), half_size);
+        for (int a = 0; a < S::dimension; ++a) {
+            const auto axis = static_cast<std::size_t>(a);
+            double own = 0;
+            for (std::size_t k = 0; k < stencil.nodes.size(); ++k)
+                own +=
+                    (stencil.nodes[k][axis] % 2 == 0 ? 1 : -1) * static_cast<double>(stencil.gradients[k][a]);
+            squares[axis] += own * own / static_cast<double>(count);
+        }
+    }
+    return std::sqrt(*std::ranges::max_element(squares));
+}
+
+}  // namespace
+
+template <class S>
+double shortest_wave_phase(const Patch<S>& patch, const std::vector<Particles<S>>& bodies,
+                           const ShapeFunction<S>& shape) {
+    double largest = 0;
+    for (const Particles<S>& particles : bodies)
+        for (int k = 0; k < places; ++k)
+            largest = std::max(largest, slope(patch, particles, shape, static_cast<double>(k) / places));
+    return largest * static_cast<double>(patch.cell_size().minCoeff());
+}
+
+#define MATPOINT_INSTANTIATE(S)                                                            \
+    template double shortest_wave_phase(const Patch<S>&, const std::vector<Particles<S>>&, \
+                                        const ShapeFunction<S>&);
+MATPOINT_FOR_EACH_SPACE(MATPOINT_INSTANTIATE)
+
+}  // namespace matpoint
