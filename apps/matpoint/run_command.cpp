@@ -30,6 +30,11 @@ std::vector<std::string> assignments_of(const po::variables_map& values) {
     return values["set"].as<std::vector<std::string>>();
 }
 
+void print_warning(const std::string& warning) {
+    const bool placed = warning.find("warning: ") != std::string::npos;
+    std::cerr << (placed ? "" : "warning: ") << warning << "\n";
+}
+
 void print_recommendation(const Scene& scene, const PluginCatalogue& catalogue) {
     if (const auto advice = recommendation(scene, catalogue.registry(), fronts_folder()))
         std::cerr << *advice << "\n";
@@ -57,10 +62,7 @@ int run_to_end(const Scene& scene, PluginCatalogue& catalogue, const po::variabl
         values.count("output") > 0 ? values["output"].as<std::string>() : default_output.string();
     options.progress = !quiet && isatty(STDERR_FILENO) == 1;
     options.quiet = quiet;
-    options.warn = [](const std::string& warning) {
-        const bool placed = warning.find("warning: ") != std::string::npos;
-        std::cerr << (placed ? "" : "warning: ") << warning << "\n";
-    };
+    options.warn = print_warning;
     if (!resume) warn_of_leftovers(options.output, scene, catalogue);
     options.resume = std::move(resume);
     const RunResult result = run_scene(scene, catalogue, options);

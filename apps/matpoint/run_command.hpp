@@ -20,6 +20,9 @@ std::vector<std::string> assignments_of(const po::variables_map& values);
 /// What `run` and `restart` share: --output, --set, --threads, --quiet.
 void add_run_options(po::options_description& options);
 
+/// On stderr; those with a place in the scene say by themselves what they are.
+void print_warning(const std::string& warning);
+
 /// What is known of the accuracy that a scene asks for, on stderr.
 void print_recommendation(const Scene& scene, const PluginCatalogue& catalogue);
 

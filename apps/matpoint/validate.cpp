@@ -72,8 +72,7 @@ bool passes_first_step(Simulation& simulation) {
         std::cerr << breakdown.what() << "\n";
         return false;
     }
-    for (const std::string& warning : simulation.health_warnings())
-        std::cerr << "warning: " << warning << "\n";
+    for (const std::string& warning : simulation.warnings()) print_warning(warning);
     return true;
 }
 
@@ -82,7 +81,6 @@ bool validate_file(const std::filesystem::path& file, const std::vector<std::str
     PluginCatalogue catalogue;
     const Scene scene = load_scene(file, assignments, catalogue);
     const auto simulation = Simulation::create(scene, catalogue);
-    for (const std::string& warning : simulation->warnings()) std::cerr << warning << "\n";
     print_recommendation(scene, catalogue);
 
     const double dt = simulation->next_time_step();
