@@ -48,7 +48,8 @@ std::string memory_text(double bytes) {
     return bytes < 1e6 ? fmt::format("{:.0f} kB", bytes / 1e3) : fmt::format("{:.1f} MB", bytes / 1e6);
 }
 
-void print_body(const Simulation& simulation, const std::string& body) {
+void print_body(const Simulation& simulation, const SeededBody& seeded) {
+    const std::string& body = seeded.name;
     const std::vector<std::string> carried = simulation.particle_fields();
     const int real = simulation.space().single ? 4 : 8;
     std::vector<std::string> lines;
@@ -60,8 +61,10 @@ void print_body(const Simulation& simulation, const std::string& body) {
         total += bytes;
         lines.push_back(fmt::format("      {:4} {:24}{}\n", bytes, field, reason_for(field)));
     }
-    std::cout << fmt::format("  body {}: {} particles of {} bytes\n{}", body, simulation.particle_count(body),
-                             total, fmt::join(lines, ""));
+    std::cout << fmt::format("  body {}: {} particles of {} bytes\n", body, seeded.particles, total);
+    std::cout << fmt::format("    mass {:.7g}, volume {:.7g}", seeded.mass, seeded.volume);
+    if (seeded.geometry_volume) std::cout << fmt::format(" (its geometry's {:.7g})", *seeded.geometry_volume);
+    std::cout << fmt::format("\n{}", fmt::join(lines, ""));
 }
 
 /// Says what the guard of a run would say of its first step; false if that would end the run.
@@ -91,7 +94,7 @@ bool validate_file(const std::filesystem::path& file, const std::vector<std::str
                              simulation->stable_step(), fixed ? "" : "about ", simulation->estimated_steps());
     std::cout << fmt::format("  {} particles; memory {}\n", simulation->particle_count(),
                              memory_text(static_cast<double>(simulation->memory_bytes())));
-    for (const std::string& body : simulation->bodies()) print_body(*simulation, body);
+    for (const SeededBody& body : simulation->seeded_bodies()) print_body(*simulation, body);
     std::cout << fmt::format("  node fields: {}\n", fmt::join(simulation->node_fields(), ", "));
     std::vector<std::string> plugins;
     for (const PluginLibrary& plugin : catalogue.opened()) plugins.push_back(plugin.name());

@@ -2,6 +2,8 @@
 
 #include <matpoint/geometry.hpp>
 
+#include <algorithm>
+#include <limits>
 #include <memory>
 #include <span>
 #include <stdexcept>
@@ -48,6 +50,53 @@ inline std::vector<Operand> make_operands(const Parameters& parameters) {
         operands.emplace_back(geometry);
     }
     return operands;
+}
+
+/// What is in both of two lists of intervals.
+inline Intervals common(const Intervals& a, const Intervals& b) {
+    Intervals both;
+    for (auto i = a.begin(), j = b.begin(); i != a.end() && j != b.end();) {
+        const double begin = std::max(i->begin, j->begin), end = std::min(i->end, j->end);
+        if (begin < end) both.push_back({begin, end});
+        ++(i->end < j->end ? i : j);
+    }
+    return both;
+}
+
+/// All that is in none of the intervals.
+inline Intervals complement(const Intervals& intervals) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    Intervals others;
+    double end = -infinity;
+    for (const Interval& interval : intervals) {
+        if (end < interval.begin) others.push_back({end, interval.begin});
+        end = interval.end;
+    }
+    others.push_back({end, infinity});
+    return others;
+}
+
+/// What `combine` makes of the operands' intervals along each line, the first with the second and so on.
+template <class Combine>
+std::vector<Intervals> combine_along_x(const std::vector<std::shared_ptr<Geometry>>& operands,
+                                       std::span<const Eigen::Vector2d> lines, Interval within, double step,
+                                       const Combine& combine) {
+    std::vector<Intervals> combined = operands[0]->along_x(lines, within, step);
+    for (std::size_t g = 1; g < operands.size(); ++g) {
+        const std::vector<Intervals> others = operands[g]->along_x(lines, within, step);
+        for (std::size_t i = 0; i < lines.size(); ++i) combined[i] = combine(combined[i], others[i]);
+    }
+    return combined;
+}
+
+/// Those of all operands.
+inline std::vector<double> breaks_of(const std::vector<std::shared_ptr<Geometry>>& operands, int axis) {
+    std::vector<double> all;
+    for (const auto& operand : operands) {
+        const std::vector<double> own = operand->breaks(axis);
+        all.insert(all.end(), own.begin(), own.end());
+    }
+    return all;
 }
 
 }  // namespace matpoint

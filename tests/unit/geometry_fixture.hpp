@@ -30,11 +30,13 @@ class GeometryTest : public testing::Test {
     ~GeometryTest() override { std::filesystem::remove_all(folder); }
 
     std::shared_ptr<Geometry> make(Json own, int dimension = 3) {
+        return make(std::move(own), dimension == 1   ? Mode::bar
+                                    : dimension == 2 ? Mode::plane_strain
+                                                     : Mode::solid);
+    }
+    std::shared_ptr<Geometry> make(Json own, Mode mode) {
         fill_defaults(own);
-        const SpaceId space{dimension == 1   ? Mode::bar
-                            : dimension == 2 ? Mode::plane_strain
-                                             : Mode::solid,
-                            false};
+        const SpaceId space{mode, false};
         const auto warn = [this](const std::string& text) { warnings.push_back(text); };
         return catalogue.registry().make<Geometry>("geometry", own,
                                                    {space, folder, &catalogue.registry(), nullptr, warn});

@@ -34,6 +34,26 @@ class Block final : public Geometry {
     double min_, max_;
 };
 
+/// A body of any thickness, which knows where lines meet it.
+class Plate final : public Geometry {
+  public:
+    Plate(double min, double max) : min_(min), max_(max) {}
+    Bounds bounds() const override { return {{min_, 0.5, 0.5}, {max_, 1.5, 1.5}}; }
+    bool contains(const Eigen::Vector3d& x) const override {
+        const auto within = [](double c) { return c == 0 || (c >= 0.5 && c < 1.5); };
+        return x[0] >= min_ && x[0] < max_ && within(x[1]) && within(x[2]);
+    }
+    std::vector<Intervals> along_x(std::span<const Eigen::Vector2d> lines, Interval, double) const override {
+        std::vector<Intervals> found;
+        for (const Eigen::Vector2d& line : lines)
+            found.push_back(contains({min_, line[0], line[1]}) ? Intervals{{min_, max_}} : Intervals{});
+        return found;
+    }
+
+  private:
+    double min_, max_;
+};
+
 /// Counts what it is asked.
 class CountingBlock final : public Geometry {
   public:
@@ -178,10 +198,13 @@ TYPED_TEST(ParticlesSeeding, AsksForManyPointsAtATimeAndForNoneTwice) {
     auto particles = make_particles<S>();
     const CountingBlock block(0.5, 1.5);
     Index velocities = 0;
-    seed(particles, make_patch<S>(), block, {2, 3, 1}, 1, [&](const Eigen::Vector3d& x) {
-        ++velocities;
-        return x;
-    });
+    seed(
+        particles, make_patch<S>(), block, {2, 3, 1}, 1,
+        [&](const Eigen::Vector3d& x) {
+            ++velocities;
+            return x;
+        },
+        Seeding::centres);
     EXPECT_EQ(block.calls, 1);
     EXPECT_EQ(velocities, particles.size());
     // Along each axis the block has 4 cells; rounding of its bounds may cost some beside them.
@@ -199,12 +222,77 @@ TYPED_TEST(ParticlesSeeding, KeepsWithinTheGrid) {
 TYPED_TEST(ParticlesSeeding, RefusesAnEmptyBody) {
     using S = TypeParam;
     auto particles = make_particles<S>();
-    for (const auto& [min, max] : {std::pair(5.0, 6.0), std::pair(0.51, 0.52), std::pair(1.0, 0.5)}) {
-        const std::string error = error_of([&] {
-            seed(particles, make_patch<S>(), Block(min, max), {1, 1, 1}, 1);
-        });
-        EXPECT_EQ(error.rfind("body \"brick\": its geometry contains no particle", 0), 0u) << error;
+    for (const Seeding seeding : {Seeding::filled, Seeding::centres})
+        for (const auto& [min, max] : {std::pair(5.0, 6.0), std::pair(0.51, 0.52), std::pair(1.0, 0.5)}) {
+            const std::string error = error_of([&] {
+                seed(particles, make_patch<S>(), Block(min, max), {1, 1, 1}, 1, {}, seeding);
+            });
+            EXPECT_EQ(error.rfind("body \"brick\": its geometry contains no particle", 0), 0u) << error;
+        }
+}
+
+TYPED_TEST(ParticlesSeeding, PlateHasItsVolumeHoweverThickAndWhereverItLies) {
+    using S = TypeParam;
+    const double tolerance = sizeof(typename S::Real) == 4 ? 1e-5 : 1e-12;
+    for (const double thickness : {0.001, 0.07, 0.124, 0.125, 0.18, 0.19, 0.3})
+        for (const double min : {0.5, 0.51, 0.56, 0.5625, 0.62, 0.6249999}) {
+            auto particles = make_particles<S>();
+            const Plate plate(min, min + thickness);
+            seed(particles, make_patch<S>(), plate, {2, 2, 2}, 1000);
+            const double volume =
+                S::axisymmetric ? pi * ((min + thickness) * (min + thickness) - min * min) : thickness;
+            EXPECT_NEAR(sum(particles, Field::volume) / volume, 1, tolerance) << thickness << " at " << min;
+            double first = 1e9, last = -1e9, lightest = 1e9, heaviest = 0;
+            for (Index p = 0; p < particles.size(); ++p) {
+                const auto x = static_cast<double>(particles.position(p)[0]),
+                           half = static_cast<double>(particles.vector(Field::half_size, p)[0]);
+                first = std::min(first, x - half);
+                last = std::max(last, x + half);
+                lightest = std::min(lightest, half);
+                heaviest = std::max(heaviest, half);
+            }
+            EXPECT_NEAR(first, min, tolerance);
+            EXPECT_NEAR(last, min + thickness, tolerance);
+            EXPECT_GE(lightest, heaviest / 4) << thickness << " at " << min;
+        }
+}
+
+TYPED_TEST(ParticlesSeeding, KeepsTheCentroid) {
+    using S = TypeParam;
+    if constexpr (S::axisymmetric || sizeof(typename S::Real) == 4) return;
+    auto particles = make_particles<S>();
+    seed(particles, make_patch<S>(), Block(0.53, 1.71), {2, 3, 1}, 1);
+    for (int a = 0; a < S::dimension; ++a) {
+        double moment = 0;
+        for (Index p = 0; p < particles.size(); ++p)
+            moment += static_cast<double>(particles.column(Field::volume)[p] * particles.position(p)[a]);
+        EXPECT_NEAR(moment / sum(particles, Field::volume), (0.53 + 1.71) / 2, 1e-12);
     }
+}
+
+TYPED_TEST(ParticlesSeeding, BodiesThatTouchNeitherOverlapNorLeaveAGap) {
+    using S = TypeParam;
+    const double tolerance = sizeof(typename S::Real) == 4 ? 1e-5 : 1e-12;
+    for (const double between : {0.75, 0.8, 0.875, 0.93, 0.9999}) {
+        auto left = make_particles<S>(), right = make_particles<S>(), both = make_particles<S>();
+        seed(left, make_patch<S>(), Plate(0.5, between), {2, 2, 2}, 1000);
+        seed(right, make_patch<S>(), Plate(between, 1.5), {2, 2, 2}, 1000);
+        seed(both, make_patch<S>(), Plate(0.5, 1.5), {2, 2, 2}, 1000);
+        EXPECT_EQ(left.size() + right.size(), both.size());
+        EXPECT_NEAR((sum(left, Field::mass) + sum(right, Field::mass)) / sum(both, Field::mass), 1,
+                    tolerance);
+    }
+}
+
+TYPED_TEST(ParticlesSeeding, CentresAreWholePartsOrNothing) {
+    using S = TypeParam;
+    auto particles = make_particles<S>();
+    seed(particles, make_patch<S>(), Plate(0.5, 0.57), {2, 2, 2}, 1000, {}, Seeding::centres);
+    for (Index p = 0; p < particles.size(); ++p) {
+        EXPECT_EQ(static_cast<double>(particles.position(p)[0]), 0.5625);
+        EXPECT_EQ(static_cast<double>(particles.vector(Field::half_size, p)[0]), 0.0625);
+    }
+    EXPECT_EQ(particles.size(), S::dimension == 1 ? 1 : S::dimension == 2 ? 8 : 64);
 }
 
 TYPED_TEST(ParticlesSeeding, TakesListedPointsAsTheyAre) {

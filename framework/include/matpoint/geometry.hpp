@@ -28,6 +28,12 @@ class PointCloud {
     virtual void read(Index first, std::span<Point> points) const = 0;
 };
 
+/// What lies between two coordinates on a line, m.
+struct Interval {
+    double begin, end;
+};
+using Intervals = std::vector<Interval>;
+
 /// A region of space; coordinates that the scene's space lacks are zero.
 class Geometry : public Component {
   public:
@@ -42,6 +48,14 @@ class Geometry : public Component {
         for (std::size_t i = 0; i < points.size(); ++i) inside[i] = contains(points[i]) ? 1 : 0;
         return inside;
     }
+    /// Of lines along x, each at its (y, z): what of `within` lies in the region, in ascending order without
+    /// overlaps. It may tell of more than `within`. From this a body has its volume. By default it is
+    /// searched for by contains(), so that what is thinner than `step` may be missed; override it where
+    /// the places at which a line meets the surface are known.
+    virtual std::vector<Intervals> along_x(std::span<const Eigen::Vector2d> lines, Interval within,
+                                           double step) const;
+    /// Coordinates along an axis at which the section across it may change at once: flat faces, poles.
+    virtual std::vector<double> breaks(int axis) const { return {bounds().min[axis], bounds().max[axis]}; }
     /// Set if the geometry is a list of particles rather than a region to fill.
     virtual const PointCloud* points() const { return nullptr; }
 };

@@ -57,6 +57,13 @@ Schema body_schema() {
               .default_value = 2,
               .start_only = true,
               .at_least = 1})
+        .choice(
+            "seeding",
+            {.doc = "What a particle stands for. filled: what the geometry fills of its part of the cell, so "
+                    "that the body has the geometry's volume. centres: the whole part, if its centre is in "
+                    "the geometry.",
+             .default_value = "filled",
+             .choices = {"filled", "centres"}})
         .add("velocity", ParameterType::profiles,
              {.unit = "m/s",
               .doc = "Initial velocity by position",

@@ -27,9 +27,9 @@ CellLattice<S>::CellLattice(const Patch<S>& patch, const Geometry::Bounds& box,
     for (int a = 0; a < S::dimension; ++a) {
         const auto i = static_cast<std::size_t>(a);
         axes_[i] = make_axis(patch, box, a, per_cell[i]);
-        half_size_[a] = static_cast<double>(patch.cell_size()[a]) / (2 * per_cell[i]);
-        area_ *= 2 * half_size_[a];
-        places *= static_cast<double>(axes_[i].coordinates.size());
+        edges_[a] = axes_[i].cell_size / per_cell[i];
+        area_ *= edges_[a];
+        places *= axes_[i].size();
     }
     if (places > most_places)
         throw std::invalid_argument(
@@ -42,26 +42,72 @@ template <class S>
 typename CellLattice<S>::Axis CellLattice<S>::make_axis(const Patch<S>& patch, const Geometry::Bounds& box,
                                                         int a, int per_cell) {
     Axis axis;
-    const double min = static_cast<double>(patch.min()[a]), h = static_cast<double>(patch.cell_size()[a]);
+    axis.min = static_cast<double>(patch.min()[a]);
+    axis.cell_size = static_cast<double>(patch.cell_size()[a]);
     const double cells = patch.cells()[static_cast<std::size_t>(a)];
     // One cell more on both sides, for the rounding of bounds that lie on a cell's face.
-    axis.first = static_cast<int>(std::clamp(std::floor((box.min[a] - min) / h) - 1, 0.0, cells));
-    axis.last = static_cast<int>(std::clamp(std::floor((box.max[a] - min) / h) + 2, 0.0, cells));
-    axis.last = std::max(axis.first, axis.last);
+    const auto cell = [&](double bound, double more) {
+        const double number = std::floor((bound - axis.min) / axis.cell_size) + more;
+        return static_cast<int>(std::clamp(number, 0.0, cells));
+    };
+    axis.first = cell(box.min[a], -1);
     axis.per_cell = per_cell;
+    const int places = std::max(0, cell(box.max[a], 2) - axis.first) * per_cell;
     axis.coordinates.clear();
-    for (int cell = axis.first; cell < axis.last; ++cell)
-        for (int k = 0; k < per_cell; ++k)
-            axis.coordinates.push_back(min + (cell + (k + 0.5) / per_cell) * h);
+    for (int place = 0; place < places; ++place) axis.coordinates.push_back(axis.within(place, 0.5));
     return axis;
 }
 
 template <class S>
-std::vector<Eigen::Vector3d> CellLattice<S>::piece(Index number) const {
-    std::vector<Eigen::Vector3d> places;
-    places.reserve(static_cast<std::size_t>(std::min(rows(), rows_per_piece_) * row_size()));
-    for_each(number, [&](const Eigen::Vector3d& place) { places.push_back(place); });
-    return places;
+Index CellLattice<S>::number(const Place& place) const {
+    const auto& [x, y, z] = axes_;
+    const Index row = place[1] / y.per_cell + Index{place[2] / z.per_cell} * y.cells();
+    const Index cell = row * x.cells() + place[0] / x.per_cell;
+    return ((cell * z.per_cell + place[2] % z.per_cell) * y.per_cell + place[1] % y.per_cell) * x.per_cell +
+           place[0] % x.per_cell;
+}
+
+template <class S>
+typename CellLattice<S>::Place CellLattice<S>::place(Index number) const {
+    Place place;
+    const auto divide = [&](Index by) {
+        const Index rest = number % by;
+        number /= by;
+        return static_cast<int>(rest);
+    };
+    for (std::size_t a = 0; a < 3; ++a) place[a] = divide(axes_[a].per_cell);
+    for (std::size_t a = 0; a < 3; ++a) place[a] += axes_[a].per_cell * divide(axes_[a].cells());
+    return place;
+}
+
+template <class S>
+std::vector<Eigen::Vector3d> CellLattice<S>::middles(Index piece) const {
+    std::vector<Eigen::Vector3d> middles;
+    middles.reserve(static_cast<std::size_t>(begin(piece + 1) - begin(piece)));
+    for_each(piece, [&](const Eigen::Vector3d& middle) { middles.push_back(middle); });
+    return middles;
+}
+
+template <class S>
+std::vector<typename CellLattice<S>::Place> CellLattice<S>::lines(Index piece) const {
+    const auto& [x, y, z] = axes_;
+    std::vector<Place> lines;
+    const Index end = std::min(rows(), (piece + 1) * rows_per_piece_);
+    for (Index row = piece * rows_per_piece_; row < end; ++row)
+        for (int kz = 0; kz < z.per_cell; ++kz)
+            for (int ky = 0; ky < y.per_cell; ++ky)
+                lines.push_back({0, static_cast<int>(row % y.cells()) * y.per_cell + ky,
+                                 static_cast<int>(row / y.cells()) * z.per_cell + kz});
+    return lines;
+}
+
+template <class S>
+std::vector<double> CellLattice<S>::planes(int axis) const {
+    const Axis& along = axes_[static_cast<std::size_t>(axis)];
+    std::vector<double> planes;
+    for (int place = 0; place < along.size(); ++place) planes.push_back(along.within(place, 0));
+    if (!planes.empty()) planes.push_back(along.within(along.size() - 1, 1));
+    return planes;
 }
 
 #define MATPOINT_INSTANTIATE(S) template class CellLattice<S>;

@@ -2,7 +2,7 @@
 
 #include <matpoint/parallel.hpp>
 
-#include "particles/cell_lattice.hpp"
+#include "particles/filled_places.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -17,8 +17,8 @@ namespace matpoint {
 
 namespace {
 
-/// Volume of what a particle's cross-section sweeps: 2 pi r when axisymmetric. With r at its middle,
-/// the volume of a rectangle's ring is exact.
+/// Volume of what a particle's cross-section sweeps: 2 pi r when axisymmetric. With r at its centroid
+/// the volume of the ring is exact, whatever the cross-section (Pappus).
 template <class S>
 double width(const Eigen::Vector3d& position) {
     return S::axisymmetric ? 2 * std::numbers::pi * position[0] : 1;
@@ -51,42 +51,25 @@ class Listed {
     const PointCloud& cloud_;
 };
 
-/// The places of the lattice that a region contains. It is asked once for each; of the answers, a bit is
-/// kept.
+/// The particles of a region's places.
 template <class S>
-class Filled {
+class Sown {
   public:
-    Filled(CellLattice<S> lattice, const Geometry& region)
-        : lattice_(std::move(lattice)),
-          inside_(static_cast<std::size_t>(lattice_.pieces())),
-          begins_(inside_.size() + 1) {
-        parallel_for(pieces(), lattice_.size(), [&](Index number) {
-            const auto i = static_cast<std::size_t>(number);
-            const std::vector<char> inside = region.contains(lattice_.piece(number));
-            begins_[i + 1] = std::ssize(inside) - std::count(inside.begin(), inside.end(), 0);
-            if (begins_[i + 1] > 0) inside_[i].assign(inside.begin(), inside.end());
-        });
-        for (std::size_t i = 1; i < begins_.size(); ++i) begins_[i] += begins_[i - 1];
-    }
+    explicit Sown(const FilledPlaces<S>& places) : places_(places) {}
 
-    Index size() const { return begins_.back(); }
-    Index pieces() const { return lattice_.pieces(); }
-    Index begin(Index piece) const { return begins_[static_cast<std::size_t>(piece)]; }
+    Index size() const { return places_.size(); }
+    Index pieces() const { return places_.pieces(); }
+    Index begin(Index piece) const { return places_.begin(piece); }
     template <class Take>
     void for_each(Index piece, const Take& take) const {
-        if (begin(piece + 1) == begin(piece)) return;
-        auto inside = inside_[static_cast<std::size_t>(piece)].begin();
-        lattice_.for_each(piece, [&](const Eigen::Vector3d& place) {
-            if (*inside++)
-                take(PointCloud::Point{place, lattice_.area() * width<S>(place), Eigen::Vector3d::Zero(),
-                                       lattice_.half_size()});
-        });
+        places_.for_each(
+            piece, [&](const Eigen::Vector3d& middle, const Eigen::Vector3d& edges, double area) {
+                take(PointCloud::Point{middle, area * width<S>(middle), Eigen::Vector3d::Zero(), edges / 2});
+            });
     }
 
   private:
-    CellLattice<S> lattice_;
-    std::vector<std::vector<bool>> inside_;  ///< by piece; empty if nothing is
-    std::vector<Index> begins_;              ///< by piece, number of its first particle; then that of all
+    const FilledPlaces<S>& places_;
 };
 
 template <class S>
@@ -131,11 +114,11 @@ template <class S, class Source>
 void sow(Particles<S>& particles, const Source& source, double density, const InitialVelocity& velocity) {
     using Real = typename S::Real;
     if (source.size() == 0)
-        throw std::invalid_argument(
-            fmt::format("body \"{}\": its geometry contains no particle; check that it lies within the "
-                        "grid and is not smaller than the distance between particles, "
-                        "the cell size over \"particles_per_cell\"",
-                        particles.body()));
+        throw std::invalid_argument(fmt::format(
+            "body \"{}\": its geometry contains no particle; check that it lies within the grid, and with "
+            "\"seeding\": \"centres\" that it is not smaller than the distance between particles, "
+            "the cell size over \"particles_per_cell\"",
+            particles.body()));
     particles.resize(source.size());
     parallel_for(source.pieces(), source.size(), [&](Index piece) {
         Index p = source.begin(piece);
@@ -164,20 +147,22 @@ void sow(Particles<S>& particles, const Source& source, double density, const In
 
 template <class S>
 void seed(Particles<S>& particles, const Patch<S>& patch, const Geometry& geometry,
-          const std::array<int, 3>& particles_per_cell, double density, const InitialVelocity& velocity) {
+          const std::array<int, 3>& particles_per_cell, double density, const InitialVelocity& velocity,
+          Seeding seeding) {
     if (const PointCloud* const cloud = geometry.points()) {
         const Listed listed(*cloud);
         expect_on_grid(patch, listed, particles.body());
         sow(particles, listed, density, velocity);
     } else {
         const CellLattice<S> lattice(patch, geometry.bounds(), particles_per_cell);
-        sow(particles, Filled<S>(lattice, geometry), density, velocity);
+        const FilledPlaces<S> places(lattice, geometry, seeding);
+        sow(particles, Sown<S>(places), density, velocity);
     }
 }
 
 #define MATPOINT_INSTANTIATE(S)                                                                       \
     template void seed<S>(Particles<S>&, const Patch<S>&, const Geometry&, const std::array<int, 3>&, \
-                          double, const InitialVelocity&);
+                          double, const InitialVelocity&, Seeding);
 MATPOINT_FOR_EACH_SPACE(MATPOINT_INSTANTIATE)
 
 }  // namespace matpoint

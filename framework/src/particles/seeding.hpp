@@ -4,6 +4,8 @@
 #include <matpoint/grid.hpp>
 #include <matpoint/particles.hpp>
 
+#include "particles/filled_places.hpp"
+
 #include <array>
 #include <functional>
 
@@ -12,15 +14,15 @@ namespace matpoint {
 /// Velocity of a body at a point at the start, m/s.
 using InitialVelocity = std::function<Eigen::Vector3d(const Eigen::Vector3d& position)>;
 
-/// Fills a body that has no particles yet: those points of a lattice with `particles_per_cell` points
-/// in every cell of the grid that the geometry contains, cell by cell; or, if the geometry is a list
-/// of points, these. Only the part of a region within the grid is filled; a listed point must be in it.
-/// `density` in kg/m^3; without `velocity` the body is at rest. Sets position, velocity, volume, mass,
-/// and those of initial_position, half_size, initial_half_size and id that were asked for.
-/// Throws std::invalid_argument that names the body if it gets no particle, or a listed point is
-/// outside the grid.
+/// Fills a body that has no particles yet: on a lattice with `particles_per_cell` places in every cell of the
+/// grid, cell by cell; or, if the geometry is a list of points, with these. Only the part of a region within
+/// the grid is filled; a listed point must be in it. `density` in kg/m^3; without `velocity` the body is at
+/// rest. Sets position, velocity, volume, mass, and those of initial_position, half_size, initial_half_size
+/// and id that were asked for. Throws std::invalid_argument that names the body if it gets no particle, or a
+/// listed point is outside the grid.
 template <class S>
 void seed(Particles<S>& particles, const Patch<S>& patch, const Geometry& geometry,
-          const std::array<int, 3>& particles_per_cell, double density, const InitialVelocity& velocity = {});
+          const std::array<int, 3>& particles_per_cell, double density, const InitialVelocity& velocity = {},
+          Seeding seeding = Seeding::filled);
 
 }  // namespace matpoint

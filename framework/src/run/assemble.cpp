@@ -4,6 +4,7 @@
 #include <matpoint/geometry.hpp>
 
 #include "config/formula_places.hpp"
+#include "particles/region_volume.hpp"
 #include "particles/seeding.hpp"
 #include "run/derived_fields.hpp"
 #include "run/scene_checks.hpp"
@@ -212,6 +213,17 @@ void set_exact_gradient(const ExactSolution& solution, Particles<S>& particles, 
     }
 }
 
+template <class S>
+SeededBody describe(const Particles<S>& particles, const Geometry& geometry) {
+    SeededBody seeded{particles.body(), static_cast<std::size_t>(particles.size()), 0, 0,
+                      volume_of<S>(geometry)};
+    for (Index p = 0; p < particles.size(); ++p) {
+        seeded.mass += static_cast<double>(particles.column(Field::mass)[p]);
+        seeded.volume += static_cast<double>(particles.column(Field::volume)[p]);
+    }
+    return seeded;
+}
+
 bool is_zero(const Json& velocity) {
     return std::ranges::all_of(velocity, [](const Json& component) { return component == 0; });
 }
@@ -307,7 +319,10 @@ Assembly<S> assemble(const Scene& scene, const Registry& registry) {
                     if (velocity[a]) v[static_cast<Eigen::Index>(a)] = (*velocity[a])({x[0], x[1], x[2]}, 0);
                 return v;
             };
-            seed<S>(particles, patch, *geometries[number], per_cell, material->density(), initial_velocity);
+            const Seeding seeding = body.at("seeding") == "centres" ? Seeding::centres : Seeding::filled;
+            seed<S>(particles, patch, *geometries[number], per_cell, material->density(), initial_velocity,
+                    seeding);
+            result.seeded.push_back(describe(particles, *geometries[number]));
             const bool varies = std::ranges::any_of(
                 body.at("velocity"), [](const Json& component) { return component.is_string(); });
             for (const Field field : {Field::velocity_gradient, Field::affine_velocity})

@@ -12,6 +12,7 @@ struct Assembly {
     Components<S> components;
     std::vector<Particles<S>> bodies;
     std::vector<int> first_states;  ///< slot of each body's first material state variable
+    std::vector<SeededBody> seeded;
     std::vector<ScheduledOutput> outputs;
     std::optional<ExactError<S>> error;  ///< if the scene has an exact solution
     std::vector<std::string> warnings;   ///< of the scene and of what it is made into

@@ -34,6 +34,7 @@ class SceneSimulation final : public Simulation {
     std::vector<std::string> particle_fields() const override;
     std::vector<std::string> node_fields() const override;
     const std::vector<ScheduledOutput>& outputs() const override { return assembly_.outputs; }
+    const std::vector<SeededBody>& seeded_bodies() const override { return assembly_.seeded; }
     const std::vector<std::string>& warnings() const override { return warnings_; }
 
     std::string title() const override { return title_; }

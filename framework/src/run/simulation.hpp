@@ -37,6 +37,14 @@ struct Conservation {
     double lost_mass = 0;       ///< kg, of particles deleted off the grid
 };
 
+/// A body as it was seeded, beside its geometry.
+struct SeededBody {
+    std::string name;
+    std::size_t particles;
+    double mass, volume;                    ///< kg, m^D
+    std::optional<double> geometry_volume;  ///< m^D; a list of points has none
+};
+
 /// A scene being advanced: particles, grid and components, but no files, no clock and no terminal.
 class Simulation : public RunView {
   public:
@@ -50,6 +58,7 @@ class Simulation : public RunView {
     /// One step. Throws Breakdown; the state is then no longer one to go on from.
     virtual void advance() = 0;
     virtual const std::vector<ScheduledOutput>& outputs() const = 0;
+    virtual const std::vector<SeededBody>& seeded_bodies() const = 0;
     /// Warnings so far, each once: of the scene, of the health guard, and at the end of what did nothing.
     virtual const std::vector<std::string>& warnings() const = 0;
     /// Time step the next advance() would take, s.

@@ -75,6 +75,11 @@ Json summarise(const Simulation& simulation, const PluginCatalogue& catalogue, c
           {"strain_energy", energies.strain},
           {"external_work", energies.external}}},
     };
+    for (const SeededBody& body : simulation.seeded_bodies()) {
+        Json& own = summary["bodies"][body.name];
+        own = {{"particles", body.particles}, {"mass", body.mass}, {"volume", body.volume}};
+        if (body.geometry_volume) own["geometry_volume"] = *body.geometry_volume;
+    }
     if (const auto error = simulation.error()) summary["error"] = *error;
     for (const PluginLibrary& plugin : catalogue.opened()) summary["loaded_plugins"].push_back(plugin.name());
     if (!result.reason.empty()) summary["reason"] = result.reason;

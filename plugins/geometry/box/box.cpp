@@ -32,6 +32,13 @@ class Box final : public Geometry {
         return true;
     }
 
+    std::vector<Intervals> along_x(std::span<const Eigen::Vector2d> lines, Interval, double) const override {
+        std::vector<Intervals> found(lines.size());
+        for (std::size_t i = 0; i < lines.size(); ++i)
+            if (contains({min_[0], lines[i][0], lines[i][1]})) found[i] = {{min_[0], max_[0]}};
+        return found;
+    }
+
   private:
     int dimension_;
     Eigen::Vector3d min_, max_;  // m

@@ -3,7 +3,10 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <tuple>
 
 using namespace matpoint;
 
@@ -33,9 +36,8 @@ class Cylinder final : public Geometry {
           radius_(parameters.number("radius")),
           inner_radius_(parameters.number("inner_radius")) {}
 
-    /// A disk with normal n and radius R reaches R sqrt(1 - n_a^2) along axis a.
     Bounds bounds() const override {
-        const Eigen::Vector3d reach = radius_ * (1 - axis_.array().square()).max(0).sqrt();
+        const Eigen::Vector3d reach = reach_of(radius_);
         return {start_.cwiseMin(end_) - reach, start_.cwiseMax(end_) + reach};
     }
 
@@ -47,7 +49,63 @@ class Cylinder final : public Geometry {
         return distance <= radius_ && distance >= inner_radius_;
     }
 
+    std::vector<Intervals> along_x(std::span<const Eigen::Vector2d> lines, Interval, double) const override {
+        std::vector<Intervals> found(lines.size());
+        for (std::size_t i = 0; i < lines.size(); ++i) {
+            const Interval outer = along_x(lines[i], radius_),
+                           bore = inner_radius_ > 0 ? along_x(lines[i], inner_radius_) : nowhere;
+            if (!(bore.begin < bore.end)) {
+                if (outer.begin < outer.end) found[i] = {outer};
+                continue;
+            }
+            if (outer.begin < bore.begin) found[i].push_back({outer.begin, bore.begin});
+            if (bore.end < outer.end) found[i].push_back({bore.end, outer.end});
+        }
+        return found;
+    }
+
+    std::vector<double> breaks(int axis) const override {
+        std::vector<double> all;
+        for (const double radius : {radius_, inner_radius_})
+            for (const Eigen::Vector3d& end : {start_, end_})
+                for (const double side : {-1, 1}) all.push_back(end[axis] + side * reach_of(radius)[axis]);
+        return all;
+    }
+
   private:
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
+    static constexpr Interval nowhere{infinity, -infinity};
+
+    /// A disk with normal n and radius R reaches R sqrt(1 - n_a^2) along axis a.
+    Eigen::Vector3d reach_of(double radius) const {
+        return radius * (1 - axis_.array().square()).max(0).sqrt();
+    }
+
+    /// Where a line is in the solid cylinder of a radius; nowhere if it ends before it begins. With u = x -
+    /// x_0 and the distance c + a_x u from the start along the axis a, the squared distance from the axis is
+    /// u^2 + y^2 + z^2 - (c + a_x u)^2.
+    Interval along_x(const Eigen::Vector2d& line, double radius) const {
+        const Eigen::Vector2d beside = line - start_.tail<2>();
+        const double c = axis_.tail<2>().dot(beside), slope = axis_[0];
+        Interval between{-infinity, infinity};
+        if (slope != 0) {
+            std::tie(between.begin, between.end) = std::minmax({-c / slope, (length_ - c) / slope});
+        } else if (c < 0 || c >= length_) {
+            return nowhere;
+        }
+        const double square = 1 - slope * slope, half = slope * c,
+                     rest = beside.squaredNorm() - c * c - radius * radius;
+        if (square > 0) {
+            const double discriminant = half * half - square * rest;
+            if (!(discriminant > 0)) return nowhere;
+            between.begin = std::max(between.begin, (half - std::sqrt(discriminant)) / square);
+            between.end = std::min(between.end, (half + std::sqrt(discriminant)) / square);
+        } else if (rest >= 0) {
+            return nowhere;
+        }
+        return {start_[0] + between.begin, start_[0] + between.end};
+    }
+
     Eigen::Vector3d start_, end_, axis_;     // m, m, unit vector
     double length_, radius_, inner_radius_;  // m
 };

@@ -31,6 +31,15 @@ class Difference final : public Geometry {
         return inside;
     }
 
+    std::vector<Intervals> along_x(std::span<const Eigen::Vector2d> lines, Interval within,
+                                   double step) const override {
+        return combine_along_x(of_, lines, within, step, [](const Intervals& a, const Intervals& b) {
+            return common(a, complement(b));
+        });
+    }
+
+    std::vector<double> breaks(int axis) const override { return breaks_of(of_, axis); }
+
   private:
     std::vector<Operand> of_;
 };

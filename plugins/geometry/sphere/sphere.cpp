@@ -1,6 +1,8 @@
 #include <matpoint/geometry.hpp>
 #include <matpoint/plugin.hpp>
 
+#include <cmath>
+
 using namespace matpoint;
 
 /// A ball; see README.md.
@@ -19,6 +21,15 @@ class Sphere final : public Geometry {
 
     bool contains(const Eigen::Vector3d& point) const override {
         return (point - center_).squaredNorm() <= radius_ * radius_;
+    }
+
+    std::vector<Intervals> along_x(std::span<const Eigen::Vector2d> lines, Interval, double) const override {
+        std::vector<Intervals> found(lines.size());
+        for (std::size_t i = 0; i < lines.size(); ++i) {
+            const double square = radius_ * radius_ - (lines[i] - center_.tail<2>()).squaredNorm();
+            if (square > 0) found[i] = {{center_[0] - std::sqrt(square), center_[0] + std::sqrt(square)}};
+        }
+        return found;
     }
 
   private:

@@ -45,6 +45,12 @@ class Stl final : public Geometry {
         return inside;
     }
 
+    std::vector<Intervals> along_x(std::span<const Eigen::Vector2d> lines, Interval, double) const override {
+        return mesh_.along_x(lines);
+    }
+
+    std::vector<double> breaks(int axis) const override { return mesh_.flat_faces(axis); }
+
   private:
     static TriangleMesh read_mesh(const Parameters& parameters) {
         const std::vector<Triangle> read = read_stl_file(parameters.file("file"));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -114,6 +115,28 @@ std::vector<std::pair<std::size_t, double>> crossings(const Lines& lines,
     return found;
 }
 
+/// Where lines along an axis, through points, meet triangles.
+class Crossed {
+  public:
+    Crossed(std::span<const Eigen::Vector3d> points, const std::vector<Triangle>& triangles, int axis)
+        : lines_(points, (axis + 1) % 3, (axis + 2) % 3),
+          found_(crossings(lines_, triangles, axis, (axis + 1) % 3, (axis + 2) % 3)),
+          first_(lines_.line_u.size() + 1, 0) {
+        for (const auto& [line, depth] : found_) ++first_[line + 1];
+        std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    }
+    /// Of a point's line: pairs of line and depth, ascending.
+    auto of(std::size_t point) const {
+        const std::size_t line = lines_.line_of[point];
+        return std::span(found_).subspan(first_[line], first_[line + 1] - first_[line]);
+    }
+
+  private:
+    Lines lines_;
+    std::vector<std::pair<std::size_t, double>> found_;
+    std::vector<std::size_t> first_;  ///< place in `found_` where each line's crossings begin
+};
+
 }  // namespace
 
 TriangleMesh::TriangleMesh(std::vector<Triangle> triangles) : triangles_(std::move(triangles)) {
@@ -179,24 +202,67 @@ std::vector<Verdict> TriangleMesh::classify(std::span<const Eigen::Vector3d> poi
 }
 
 std::vector<Verdict> TriangleMesh::along(int axis, std::span<const Eigen::Vector3d> points) const {
-    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-    const Lines lines(points, u, v);
-    const auto found = crossings(lines, triangles_, axis, u, v);
-    std::vector<std::size_t> first(lines.line_u.size() + 1,
-                                   0);  // place in `found` where each line's crossings begin
-    for (const auto& [line, depth] : found) ++first[line + 1];
-    std::partial_sum(first.begin(), first.end(), first.begin());
-
+    const Crossed crossed(points, triangles_, axis);
     std::vector<Verdict> verdicts(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const auto begin = found.begin() + static_cast<std::ptrdiff_t>(first[lines.line_of[i]]);
-        const auto end = found.begin() + static_cast<std::ptrdiff_t>(first[lines.line_of[i] + 1]);
-        const auto beyond = std::upper_bound(begin, end, std::pair(lines.line_of[i], points[i][axis]));
-        verdicts[i] = (end - begin) % 2 == 1      ? Verdict::undecided
-                      : (beyond - begin) % 2 == 1 ? Verdict::inside
-                                                  : Verdict::outside;
+        const auto met = crossed.of(i);
+        const auto before = std::ranges::upper_bound(met, points[i][axis], {},
+                                                     [](const auto& crossing) { return crossing.second; });
+        verdicts[i] = met.size() % 2 == 1               ? Verdict::undecided
+                      : (before - met.begin()) % 2 == 1 ? Verdict::inside
+                                                        : Verdict::outside;
     }
     return verdicts;
+}
+
+/// Between two crossings a line is inside or not: of a closed surface, in turn; of one with holes, as
+/// at the middle.
+std::vector<Intervals> TriangleMesh::along_x(std::span<const Eigen::Vector2d> lines) const {
+    std::vector<Eigen::Vector3d> points;
+    for (const Eigen::Vector2d& line : lines) points.emplace_back(0, line[0], line[1]);
+    const Crossed crossed(points, triangles_, 0);
+    std::vector<Intervals> parts(lines.size());
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        std::vector<double> ends;
+        for (const auto& [line, depth] : crossed.of(i)) ends.push_back(depth);
+        if (open_edges_ > 0) {
+            ends.insert(ends.begin(), min_[0]);
+            ends.push_back(max_[0]);
+        }
+        const std::size_t next = open_edges_ > 0 ? 1 : 2;
+        for (std::size_t k = 0; k + 1 < ends.size(); k += next) parts[i].push_back({ends[k], ends[k + 1]});
+    }
+    if (open_edges_ > 0) keep_inside(lines, parts);
+    return parts;
+}
+
+/// Of parts of lines, those whose middle is inside.
+void TriangleMesh::keep_inside(std::span<const Eigen::Vector2d> lines, std::vector<Intervals>& parts) const {
+    std::vector<Eigen::Vector3d> middles;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        for (const Interval& part : parts[i])
+            middles.emplace_back((part.begin + part.end) / 2, lines[i][0], lines[i][1]);
+    const std::vector<Verdict> verdicts = classify(middles);
+    auto verdict = verdicts.begin();
+    for (Intervals& all : parts) {
+        Intervals inside;
+        for (const Interval& part : all)
+            if (*verdict++ == Verdict::inside) inside.push_back(part);
+        all = std::move(inside);
+    }
+}
+
+std::vector<double> TriangleMesh::flat_faces(int axis) const {
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    std::map<double, double> areas;
+    for (const Triangle& t : triangles_)
+        if (t[0][axis] == t[1][axis] && t[1][axis] == t[2][axis])
+            areas[t[0][axis]] += (t[1] - t[0]).cross(t[2] - t[0]).norm() / 2;
+    const double least = 0.01 * (max_[u] - min_[u]) * (max_[v] - min_[v]);
+    std::vector<double> faces{min_[axis], max_[axis]};
+    for (const auto& [coordinate, area] : areas)
+        if (area >= least) faces.push_back(coordinate);
+    return faces;
 }
 
 }  // namespace matpoint

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <matpoint/geometry.hpp>
 
 #include <array>
 #include <span>
@@ -33,8 +33,14 @@ class TriangleMesh {
     /// Fast for many points that lie on few lines along the axes, as those of a lattice do.
     std::vector<Verdict> classify(std::span<const Eigen::Vector3d> points) const;
 
+    /// What each line along x, at its (y, z), has inside.
+    std::vector<Intervals> along_x(std::span<const Eigen::Vector2d> lines) const;
+    /// Coordinates along an axis where faces across it cover 1 % of the bounds' section, and of the bounds.
+    std::vector<double> flat_faces(int axis) const;
+
   private:
     void count_edges();
+    void keep_inside(std::span<const Eigen::Vector2d> lines, std::vector<Intervals>& parts) const;
     /// The verdict of lines along one axis; undecided where a line abstains.
     std::vector<Verdict> along(int axis, std::span<const Eigen::Vector3d> points) const;
 
