@@ -5,9 +5,10 @@
 # Both are put into MATPOINT_PLUGIN_OUTPUT_DIRECTORY, by default the build folder's plugins/, which
 # is what the environment variable MATPOINT_PLUGIN_PATH should then name.
 #
-# <name>.so is for every machine that Matpoint runs on. For each higher instruction set that Matpoint was
-# built for, such as x86-64-v3, there is x86-64-v3/<name>.so below it; the best for the machine is opened.
-# PORTABLE leaves these out: for plugins in which nothing runs for every particle and step.
+# Of MATPOINT_INSTRUCTION_SETS, <name>.so is for the lowest. For each higher one, such as x86-64-v3, there is
+# x86-64-v3/<name>.so below it; the best for the machine is opened. PORTABLE leaves these out: for plugins in
+# which nothing runs for every particle and step. A project of its own builds for this machine alone, unless it
+# is told otherwise; on a machine that lacks something, the dynamic linker refuses the plugin.
 function(matpoint_add_plugin name)
   cmake_parse_arguments(PARSE_ARGV 1 plugin PORTABLE "" "")
   if(NOT MATPOINT_PLUGIN_OUTPUT_DIRECTORY)
@@ -19,6 +20,7 @@ function(matpoint_add_plugin name)
     PREFIX "" CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
     LIBRARY_OUTPUT_DIRECTORY ${folder}
     INSTALL_RPATH "$ORIGIN/../.."
+    MATPOINT_INSTRUCTION_SET "${MATPOINT_PLUGIN_INSTRUCTION_SET}"
     LINK_DEPENDS_NO_SHARED ON)
   target_link_libraries(${name} PRIVATE matpoint::matpoint)
   if(TARGET matpoint_warnings)
@@ -87,7 +89,7 @@ endfunction()
 # matpoint_add_plugin_tests(<name>)
 #
 # CTest tests of a plugin in a project of its own: `cases` runs <name>.test.json; `conformance` is
-# <name>_conformance.cpp, if there is one, built with the plugin's sources, GoogleTest and a kit of
+# <name>_conformance.cpp, if there is one, linked with the plugin's objects, GoogleTest and a kit of
 # matpoint/conformance.
 function(matpoint_add_plugin_tests name)
   set(scene_test ${CMAKE_CURRENT_SOURCE_DIR}/${name}.test.json)
@@ -95,8 +97,8 @@ function(matpoint_add_plugin_tests name)
   set_tests_properties(${name}.cases PROPERTIES ENVIRONMENT "MATPOINT_PLUGIN_PATH=$<TARGET_FILE_DIR:${name}>")
   if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${name}_conformance.cpp)
     find_package(GTest REQUIRED)
-    get_target_property(sources ${name} SOURCES)
-    add_executable(${name}_conformance ${name}_conformance.cpp ${sources})
+    add_executable(${name}_conformance ${name}_conformance.cpp $<TARGET_OBJECTS:${name}>)
+    set_target_properties(${name}_conformance PROPERTIES MATPOINT_INSTRUCTION_SET "${MATPOINT_PLUGIN_INSTRUCTION_SET}")
     target_link_libraries(${name}_conformance PRIVATE matpoint::matpoint GTest::gtest_main)
     add_test(NAME ${name}.conformance COMMAND ${name}_conformance)
   endif()

@@ -5,8 +5,19 @@ if(CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64" AND CMAKE_CXX_COMPILER_ID STREQUAL "
   set(sets x86-64-v2 x86-64-v3 x86-64-v4)
 endif()
 set(MATPOINT_INSTRUCTION_SETS "${sets}" CACHE STRING
-    "Values of -march to build for, lowest first; the machine's best is used. Empty: the compiler's default")
+    "Values of -march to build for, lowest first; the machine's best is used. native: this machine's best. Empty: the compiler's default")
 set(MATPOINT_HIGHER_INSTRUCTION_SETS ${MATPOINT_INSTRUCTION_SETS})
+if(MATPOINT_INSTRUCTION_SETS STREQUAL "native")
+  # The dynamic linker lists, best first, the levels that it knows.
+  set(MATPOINT_HIGHER_INSTRUCTION_SETS "")
+  if(sets)
+    execute_process(COMMAND /lib64/ld-linux-x86-64.so.2 --help OUTPUT_VARIABLE levels ERROR_QUIET)
+    set(MATPOINT_HIGHER_INSTRUCTION_SETS x86-64-v2)
+    if(levels MATCHES "(x86-64-v[234]) \\(supported")
+      set(MATPOINT_HIGHER_INSTRUCTION_SETS ${CMAKE_MATCH_1})
+    endif()
+  endif()
+endif()
 if(NOT CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64")  # presets name those of x86
   list(FILTER MATPOINT_HIGHER_INSTRUCTION_SETS EXCLUDE REGEX "^x86-64")
 endif()

@@ -6,15 +6,15 @@ MATERIALS = {"plain": "plain_rubber", "by hand": "lanes_rubber", "scalar": "scal
 
 
 def build_plugins(program, instruction_set, folder):
-    """Makes the plugins in `folder`, for the instruction set and the lowest; `program` is bin/matpoint of a build tree or of an
+    """Makes the plugins in `folder`, for the instruction set; `program` is bin/matpoint of a build tree or of an
     installation. Returns the folder that they are in."""
     sdk = program.resolve().parents[1]
     if (sdk / "CMakeCache.txt").exists():
         call(["cmake", "--install", sdk, "--prefix", folder / "sdk"])
         sdk = folder / "sdk"
-    higher = instruction_set if (sdk / "lib/glibc-hwcaps" / instruction_set).is_dir() else ""
+    known = instruction_set if (sdk / "lib/glibc-hwcaps" / instruction_set).is_dir() else "native"
     call(["cmake", "-S", SOURCES, "-B", folder / "build", "-DCMAKE_BUILD_TYPE=Release", f"-DCMAKE_PREFIX_PATH={sdk}",
-          f"-DMATPOINT_HIGHER_INSTRUCTION_SETS={higher}"])
+          f"-DMATPOINT_INSTRUCTION_SETS={known}"])
     call(["cmake", "--build", folder / "build", "--parallel", "2"])
     return folder / "build/plugins"
 

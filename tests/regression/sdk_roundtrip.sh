@@ -38,9 +38,10 @@ target_sources($name PRIVATE afterwards.cpp)
 target_compile_definitions($name PRIVATE SAID_AFTERWARDS)
 end
 printf '#ifndef SAID_AFTERWARDS\n#error\n#endif\n' >afterwards.cpp
-fewer=()
-if [[ $kind != material ]]; then fewer=(-DMATPOINT_HIGHER_INSTRUCTION_SETS=); fi  # sooner done
-cmake -S . -B build -DCMAKE_BUILD_TYPE=Release "${fewer[@]}"
+sets=()
+if [[ $kind == material ]]; then sets=(-DMATPOINT_INSTRUCTION_SETS=all); fi
+expect 1 "was not built for \"x86-64-v9\"" cmake -S . -B refused -DMATPOINT_INSTRUCTION_SETS=x86-64-v9
+cmake -S . -B build -DCMAKE_BUILD_TYPE=Release "${sets[@]}"
 cmake --build build
 ctest --test-dir build --output-on-failure --no-tests=error
 
@@ -54,13 +55,20 @@ for run in by_folder by_file; do
     grep -q "\"$name\"" <(sed -n '/"loaded_plugins"/,/]/p' $run/summary.json) || fail "$run/summary.json does not list $name"
 done
 
-# There is a build of the plugin for each instruction set that Matpoint was built for, and the machine's best is opened.
+# The plugin is built for this machine alone, which the library says; or for each instruction set that Matpoint was built for, of which
+# the machine's best is opened.
+set=$(matpoint --version | sed 's/.*(\(.*\))/\1/')
+if [[ $kind != material ]]; then
+    [[ $(find build/plugins -name '*.so') == "build/plugins/$name.so" ]] || fail "more than one build: $(find build/plugins -name '*.so')"
+    if [[ $set == x86-64-v* ]]; then
+        readelf --notes "build/plugins/$name.so" | grep -q "ISA needed: .*$set" || fail "build/plugins/$name.so is not for $set"
+    fi
+fi
 builds=() best=
 if [[ $kind == material ]]; then
     for kernel in "$work"/sdk/lib/glibc-hwcaps/*/; do
         if [[ -d $kernel ]]; then builds+=("$(basename "$kernel")/"); fi
     done
-    set=$(matpoint --version | sed 's/.*(\(.*\))/\1/')
     if [[ -d $work/sdk/lib/glibc-hwcaps/$set ]]; then best=$set/; fi
 fi
 for folder in "${builds[@]}" ""; do

@@ -63,6 +63,11 @@ std::filesystem::path best_build(const std::filesystem::path& plugin) {
             fmt::format("plugin {} needs a library that is missing on this machine: install it, or add its "
                         "folder to LD_LIBRARY_PATH ({})",
                         file.string(), reason));
+    if (reason.find("CPU ISA level is lower") != reason.npos)
+        throw PluginError(fmt::format(
+            "plugin {} was built for a better instruction set than this machine's ({}): rebuild it "
+            "here, or for all with -DMATPOINT_INSTRUCTION_SETS=all",
+            file.string(), instruction_set()));
     throw PluginError(
         fmt::format("{} is not a shared library that can be opened: give the .so file that "
                     "matpoint_add_plugin built ({})",

@@ -18,7 +18,7 @@ namespace matpoint {
 namespace {
 
 // pixels
-constexpr double title_height = 44, row_height = 22, bar_height = 14, bars_width = 480, longest_name = 48;
+constexpr double bars_top = 44, bar_pitch = 22, bar_height = 14, bars_width = 480, longest_bar_name = 48;
 
 struct Search {
     std::string label;  ///< of what is searched
@@ -83,15 +83,15 @@ std::string bar_plot(const Json& limits, const Search& search) {
         if (const auto limit = number_of(*variant, "limit")) values.push_back(*limit);
         if (value_of(*variant, "status") == "stable_everywhere") values.push_back(search.bad_end);
         if (value_of(*variant, "status") == "unstable_everywhere") values.push_back(search.good_end);
-        longest = std::max(longest, length_of(shortened(text_of(*variant, "name"), longest_name)));
+        longest = std::max(longest, length_of(shortened(text_of(*variant, "name"), longest_bar_name)));
     }
     const double left = 24 + 7 * static_cast<double>(longest);
-    const double bottom = title_height + row_height * static_cast<double>(variants.size()) + 4;
+    const double bottom = bars_top + bar_pitch * static_cast<double>(variants.size()) + 4;
     const PlotAxis axis(false, values, left, left + bars_width);
 
     std::string body, grid;
     for (const auto& [pixel, label] : axis.ticks()) {
-        grid += fmt::format("M{:.1f} {}V{}", pixel, title_height, bottom);
+        grid += fmt::format("M{:.1f} {}V{}", pixel, bars_top, bottom);
         body += fmt::format("<text x=\"{:.1f}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n", pixel,
                             bottom + 18, label);
     }
@@ -100,14 +100,14 @@ std::string bar_plot(const Json& limits, const Search& search) {
     for (const VariantGroup& group : grouped(variants, kind_keys(variants))) {
         for (const Json* variant : group.variants) styles[variant] = group.style;
     }
-    double y = title_height + 4;
+    double y = bars_top + 4;
     for (const Json* variant : variants) {
         const std::string name = text_of(*variant, "name");
         body +=
             fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"end\">{}<title>{}</title></text>\n", left - 8,
-                        y + bar_height / 2 + 4, escaped(shortened(name, longest_name)), escaped(name));
+                        y + bar_height / 2 + 4, escaped(shortened(name, longest_bar_name)), escaped(name));
         body += bar(*variant, search, axis, y, colour_of(styles[variant]));
-        y += row_height;
+        y += bar_pitch;
     }
     body +=
         fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\" font-size=\"13\">{} stable {}</text>\n",

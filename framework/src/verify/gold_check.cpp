@@ -24,7 +24,7 @@ std::size_t worst_row(const std::vector<double>& a, const std::vector<double>& b
     return worst;
 }
 
-CheckResult evaluate(const Json& check, const FinishedRun& run) {
+CheckResult evaluate_gold(const Json& check, const FinishedRun& run) {
     const std::string probe = check.at("probe");
     const fs::path measured_file = run.output / (probe + ".csv");
     const fs::path gold_file = run.folder / check.at("gold").get<std::string>();
@@ -79,7 +79,7 @@ CheckKind gold_check() {
         .text("probe", {.doc = "Name of a probe among the scene's outputs"})
         .text("comment", {.doc = "For readers", .optional = true});
     Tolerance::describe(schema, true);
-    return {"gold", schema, evaluate};
+    return {"gold", schema, evaluate_gold};
 }
 
 }  // namespace matpoint

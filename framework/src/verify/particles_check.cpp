@@ -39,7 +39,7 @@ struct Norms {
     double l1 = 0, l2 = 0, linf = 0;
 };
 
-CheckResult evaluate(const Json& check, const FinishedRun& run) {
+CheckResult evaluate_particles(const Json& check, const FinishedRun& run) {
     const Json& particles = check.at("particles");
     const std::string body = particles.at("body"), field = particles.at("field"), norm = check.at("norm");
 
@@ -110,7 +110,7 @@ CheckKind particles_check() {
                          .choices = {"l1", "l2", "linf"}})
         .number("below", {.doc = "The norm must be less (SI)", .greater_than = 0})
         .text("comment", {.doc = "For readers", .optional = true});
-    return {"particles", schema, evaluate};
+    return {"particles", schema, evaluate_particles};
 }
 
 }  // namespace matpoint

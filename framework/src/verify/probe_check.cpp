@@ -14,7 +14,7 @@
 namespace matpoint {
 namespace {
 
-CheckResult evaluate(const Json& check, const FinishedRun& run) {
+CheckResult evaluate_probe(const Json& check, const FinishedRun& run) {
     const std::string probe = check.at("probe");
     const Table table = read_table(run.output / (probe + ".csv"));
     const std::string name =
@@ -61,7 +61,7 @@ CheckKind probe_check() {
         .number("to", {.unit = "s", .doc = "Later rows are left out", .optional = true})
         .text("comment", {.doc = "For readers", .optional = true});
     Tolerance::describe(schema, true);
-    return {"probe", schema, evaluate};
+    return {"probe", schema, evaluate_probe};
 }
 
 }  // namespace matpoint

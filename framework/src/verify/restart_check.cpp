@@ -10,7 +10,7 @@
 namespace matpoint {
 namespace {
 
-CheckResult evaluate(const Json&, const FinishedRun& run) {
+CheckResult evaluate_restart(const Json&, const FinishedRun& run) {
     const long steps = run.result.final_state.step;
     if (steps < 2) throw std::runtime_error("the run has less than two steps");
     const std::filesystem::path folder = run.output / "restart";
@@ -42,7 +42,7 @@ CheckKind restart_check() {
         .text("comment", {.doc = "For readers", .optional = true})
         .refuse("/restart_equals_run", "leave the check out instead",
                 [](const Json& own, const Json&) { return own.at("restart_equals_run") == false; });
-    return {"restart_equals_run", schema, evaluate};
+    return {"restart_equals_run", schema, evaluate_restart};
 }
 
 }  // namespace matpoint

@@ -90,7 +90,7 @@ Samples samples_of(const Json& check, const Table& table) {
     return samples;
 }
 
-CheckResult evaluate(const Json& check, const FinishedRun& run) {
+CheckResult evaluate_statistic(const Json& check, const FinishedRun& run) {
     const std::string probe = check.at("probe"), name = check.at("statistic");
     const Samples samples = samples_of(check, read_table(run.output / (probe + ".csv")));
     const bool with_level = level_statistics().contains(name);
@@ -127,7 +127,7 @@ CheckKind statistic_check() {
                    own.contains("level");
         });
     describe_bounds(schema);
-    return {"statistic", schema, evaluate};
+    return {"statistic", schema, evaluate_statistic};
 }
 
 }  // namespace matpoint

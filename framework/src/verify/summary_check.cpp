@@ -35,7 +35,7 @@ double number_at(const Json& summary, const std::string& pointer) {
     return value.get<double>();
 }
 
-CheckResult evaluate(const Json& check, const FinishedRun& run) {
+CheckResult evaluate_summary(const Json& check, const FinishedRun& run) {
     const std::string pointer = check.at("summary");
     return within_bounds(check, pointer, number_at(run.result.summary, pointer));
 }
@@ -51,7 +51,7 @@ CheckKind summary_check() {
                     return own.at("summary").is_string() && !is_pointer(own.at("summary").get<std::string>());
                 });
     describe_bounds(schema);
-    return {"summary", schema, evaluate};
+    return {"summary", schema, evaluate_summary};
 }
 
 }  // namespace matpoint

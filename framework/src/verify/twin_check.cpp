@@ -25,7 +25,7 @@ std::string first_difference(const std::filesystem::path& file, const std::files
     }
 }
 
-CheckResult evaluate(const Json& check, const FinishedRun& run) {
+CheckResult evaluate_twin(const Json& check, const FinishedRun& run) {
     const std::filesystem::path file = check.at("twin").get<std::string>();
     const std::string name = file.filename().string();
     const std::filesystem::path folder = run.output / "twin";
@@ -63,7 +63,7 @@ CheckKind twin_check() {
         .refuse(
             "/set", "expected an object of values by JSON pointer, {\"/time/end\": 0.1}",
             [](const Json& own, const Json&) { return own.contains("set") && !own.at("set").is_object(); });
-    return {"twin", schema, evaluate};
+    return {"twin", schema, evaluate_twin};
 }
 
 }  // namespace matpoint
