@@ -61,10 +61,10 @@ class Face {
         return area;
     }
 
-    /// Present over initial area, |J F^-T N|, from the columns of F that span the face; 1 where the
-    /// particles carry no F.
+    /// Present over initial area, |J F^-T N|, from the columns of F that span the face; in 1D, where the
+    /// bar's area stays, 1.
     Real area_stretch(const Particles<S>& particles, Index p) const {
-        if (S::dimension == 1 || !particles.has(Field::deformation_gradient)) return 1;
+        if constexpr (S::dimension == 1) return 1;
         const Tensor<S> f = ParticleBatch<S>::load_deformation(particles, p);
         if constexpr (S::dimension == 2) return f.plane.col(1 - axis_).norm() * f.normal;
         if constexpr (S::dimension == 3)

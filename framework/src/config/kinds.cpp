@@ -11,6 +11,16 @@ Schema with_density() {
         {.unit = "kg/m^3", .doc = "Initial mass per volume", .start_only = true, .greater_than = 0});
 }
 
+Schema with_light_nodes() {
+    return Schema().number(
+        "light_nodes",
+        {.doc =
+             "Nodes with less than this share of a full node's mass follow heavier neighbours; 0: none does",
+         .default_value = 0.1,
+         .at_least = 0,
+         .at_most = 0.1});
+}
+
 Schema with_place_and_name() {
     return Schema()
         .add("on", ParameterType::place, {.doc = "Grid faces, or the region, where the condition holds"})
@@ -57,7 +67,7 @@ Schema with_interval() {
 std::vector<Kind> make_kinds() {
     return {
         {"grid", "grid", "Background grid", Schema()},
-        {"shape_function", "shape_function", "Grid basis and particle domain", Schema(), true},
+        {"shape_function", "shape_function", "Grid basis and particle domain", with_light_nodes(), true},
         {"transfer", "transfer", "How velocity goes to the grid and back", Schema(), true},
         {"integrator", "integrator", "Order of the phases of a step", Schema(), true},
         {"material", "materials", "Constitutive model", with_density()},

@@ -256,6 +256,7 @@ Assembly<S> assemble(const Scene& scene, const Registry& registry) {
     Components<S>& components = result.components;
     components.grid = maker.make<Grid<S>>("grid", "/grid");
     components.shape = maker.make<ShapeFunction<S>>("shape_function", "/shape_function");
+    components.light_nodes = maker.json("/shape_function").at("light_nodes").get<double>();
     components.transfer = maker.make<Transfer<S>>("transfer", "/transfer");
     components.integrator = maker.make<Integrator<S>>("integrator", "/integrator");
     for (std::size_t k = 0; k < scene.resolved.at("loads").size(); ++k)

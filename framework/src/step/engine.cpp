@@ -13,6 +13,17 @@ namespace {
 /// Nodes below this part of the largest particle's mass are not accelerated.
 constexpr double mass_cutoff = 1e-13;
 constexpr Index nodes_per_task = 8192;
+
+/// Of the particles as they are now, kg/m^3.
+template <class S>
+double lowest_density(const std::vector<Particles<S>>& bodies) {
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const Particles<S>& particles : bodies)
+        for (Index p = 0; p < particles.size(); ++p)
+            lowest = std::min(lowest, static_cast<double>(particles.column(Field::mass)[p]) /
+                                          static_cast<double>(particles.column(Field::volume)[p]));
+    return lowest;
+}
 }  // namespace
 
 template <class S>
@@ -22,7 +33,8 @@ Engine<S>::Engine(Components<S> components, std::vector<Particles<S>>& bodies, s
       first_states_(std::move(first_states)),
       patch_(components_.grid->patch()),
       ordering_(bodies.size()),
-      walls_(components_.conditions) {
+      walls_(components_.conditions),
+      light_nodes_(components_.light_nodes, lowest_density(bodies)) {
     if (!components_.loads.empty()) patch_.require(NodeField::external_force);
     for (const NodeField field : components_.integrator->node_fields()) patch_.require(field);
     for (const Particles<S>& particles : bodies_) {
@@ -135,7 +147,10 @@ void Engine<S>::project(typename Phases<S>::Projection projection) {
     if (projection.velocity) {
         apply_loads();  // while mass is what the particles gave, not yet folded
         walls_.fold_mass(patch_);
+        light_nodes_.locate(patch_, inside_, walls_.prescribed_components(), !components_.loads.empty());
+        light_nodes_.fold(patch_, NodeField::mass);
         walls_.fold_momentum(patch_, NodeField::velocity, velocity_from_);
+        light_nodes_.fold(patch_, NodeField::velocity);
         // A transfer that replaces particle velocities lets walls stop momentum here already; the
         // momentum itself is kept in the acceleration until that is counted.
         const Real share = components_.transfer->grid_share();
@@ -188,6 +203,7 @@ void Engine<S>::finish_velocity(NodeField field, double time) {
         }
     });
     walls_.constrain(patch_, field, time);
+    light_nodes_.fill(patch_, field);
     walls_.fill_velocity(patch_, field, time);
 }
 
@@ -201,11 +217,18 @@ void Engine<S>::accelerate(Real dt, Real factor) {
     for_nodes([&](Index, Index begin, Index end) {
         for (int c = 0; c < S::dimension; ++c) {
             Real* f = patch_.column(NodeField::force, c);
+            const Real* external = loaded ? patch_.column(NodeField::external_force, c) : nullptr;
+            for (Index i = begin; i < end; ++i) f[i] = factor * (external ? f[i] + external[i] : f[i]);
+        }
+    });
+    light_nodes_.fold(patch_, NodeField::force);
+    light_nodes_.restore(patch_, NodeField::velocity);
+    for_nodes([&](Index, Index begin, Index end) {
+        for (int c = 0; c < S::dimension; ++c) {
+            const Real* f = patch_.column(NodeField::force, c);
             Real* a = patch_.column(NodeField::acceleration, c);
             Real* v = patch_.column(NodeField::velocity, c);
-            const Real* external = loaded ? patch_.column(NodeField::external_force, c) : nullptr;
             for (Index i = begin; i < end; ++i) {
-                f[i] = factor * (external ? f[i] + external[i] : f[i]);
                 a[i] = mass[i] > cutoff ? f[i] / mass[i] : Real(0);
                 v[i] += a[i] * dt;
             }
@@ -213,6 +236,8 @@ void Engine<S>::accelerate(Real dt, Real factor) {
     });
     walls_.constrain_acceleration(patch_, velocity_from_, velocity_to_, dt_);
     walls_.constrain(patch_, NodeField::velocity, velocity_to_);
+    light_nodes_.fill(patch_, NodeField::acceleration);
+    light_nodes_.fill(patch_, NodeField::velocity);
     walls_.fill_acceleration(patch_, velocity_from_, velocity_to_, dt_);
     walls_.fill_velocity(patch_, NodeField::velocity, velocity_to_);
     add_reactions(NodeField::force, NodeField::acceleration, dt_, (velocity_from_ + velocity_to_) / 2);
@@ -261,6 +286,7 @@ void Engine<S>::remap() {
     patch_.clear(NodeField::remapped_velocity);
     scatter({.momentum = NodeField::remapped_velocity});
     walls_.fold_momentum(patch_, NodeField::remapped_velocity, velocity_to_);
+    light_nodes_.fold(patch_, NodeField::remapped_velocity);
     finish_velocity(NodeField::remapped_velocity, velocity_to_);
 }
 

@@ -5,6 +5,7 @@
 #include <matpoint/material.hpp>
 #include <matpoint/transfer.hpp>
 
+#include "step/light_nodes.hpp"
 #include "step/ordering.hpp"
 #include "step/walls.hpp"
 
@@ -25,6 +26,7 @@ struct Components {
     std::vector<std::shared_ptr<Load<S>>> loads;
     std::vector<PlacedCondition<S>> conditions;
     std::shared_ptr<ExactSolution> exact_solution;  ///< null if the scene has none
+    double light_nodes = 0;                         ///< share of a full node's mass that makes a node light
 };
 
 /// A particle that stopped making sense in a step.
@@ -155,6 +157,7 @@ class Engine final : public Phases<S> {
     Patch<S>& patch_;
     Ordering<S> ordering_;
     Walls<S> walls_;
+    LightNodes<S> light_nodes_;
     bool located_ = false;
     bool off_grid_ = true;  ///< whether a particle may have left the grid
     double largest_mass_ = 0;

@@ -31,6 +31,7 @@ template <class S>
 void Walls<S>::locate(const Patch<S>& patch) {
     using Coordinates = typename Patch<S>::Coordinates;
     prescribed_.clear();
+    prescribed_components_.assign(static_cast<std::size_t>(patch.node_count()), 0);
     for (Face& face : faces_) face.links.clear();
 
     for (int index = 0; index < static_cast<int>(patch.node_count()); ++index) {
@@ -74,9 +75,11 @@ void Walls<S>::locate(const Patch<S>& patch) {
             for (std::size_t c = 0; c < S::dimension; ++c)
                 if (prescribes[c] && condition[c] < 0) condition[c] = static_cast<int>(k);
         }
-        for (int c = 0; c < S::dimension; ++c)
-            if (condition[static_cast<std::size_t>(c)] >= 0)
-                prescribed_.push_back({index, c, condition[static_cast<std::size_t>(c)], position});
+        for (int c = 0; c < S::dimension; ++c) {
+            if (condition[static_cast<std::size_t>(c)] < 0) continue;
+            prescribed_.push_back({index, c, condition[static_cast<std::size_t>(c)], position});
+            prescribed_components_[static_cast<std::size_t>(index)] |= static_cast<unsigned char>(1 << c);
+        }
     }
 }
 

@@ -90,6 +90,8 @@ class Walls {
     /// there, but rounding and nodes with hardly any mass push on. Whether it is on the grid then.
     bool hold(const Patch<S>& patch, Particles<S>& particles, Index particle, double time) const;
 
+    /// By node: a bit for each component that a condition sets.
+    const std::vector<unsigned char>& prescribed_components() const { return prescribed_components_; }
     const std::vector<PlacedCondition<S>>& conditions() const { return conditions_; }
 
   private:
@@ -125,6 +127,7 @@ class Walls {
     std::vector<PlacedCondition<S>> conditions_;
     std::vector<Face> faces_;  ///< by axis, lower before upper
     std::vector<Prescribed> prescribed_;
+    std::vector<unsigned char> prescribed_components_;
 };
 
 }  // namespace matpoint

@@ -19,8 +19,10 @@ struct Tent {
 
     template <class T>
     static void evaluate(T s, T, T* weights, T* derivatives) {
-        weights[0] = T(1) - s;
-        weights[1] = s;
+        using std::max;
+        // A node that a particle on the next one reads the slope of has its velocity, not none.
+        weights[0] = max(T(1) - s, T(1e-15));
+        weights[1] = max(s, T(1e-15));
         derivatives[0] = T(-1);
         derivatives[1] = T(1);
     }
