@@ -17,10 +17,9 @@ namespace {
 /// Lines that are asked for at a time, about.
 constexpr std::size_t lines_at_a_time = 65536;
 
-/// What coordinates along an axis can tell apart: they are of the scene's precision.
-template <class S>
+/// What rounding of coordinates along an axis leaves between equal ones.
 double resolution(const std::vector<double>& planes) {
-    return 4 * static_cast<double>(std::numeric_limits<typename S::Real>::epsilon()) *
+    return 4 * std::numeric_limits<double>::epsilon() *
            std::max(std::abs(planes.front()), std::abs(planes.back()));
 }
 
@@ -61,7 +60,7 @@ void FilledPlaces<S>::fill(const Geometry& region) {
     for (int a = 1; a < S::dimension; ++a) {
         const std::vector<double> planes = lattice_.planes(a);
         rules[static_cast<std::size_t>(a)] =
-            LineRule(planes, region.breaks(a), resolution<S>(planes), rule_parts(lattice_));
+            LineRule(planes, region.breaks(a), resolution(planes), rule_parts(lattice_));
     }
     std::vector<std::vector<Part>> parts(whole_.size());
     parallel_for(pieces(), lattice_.size(), [&](Index piece) {
@@ -82,7 +81,7 @@ std::vector<typename FilledPlaces<S>::Part> FilledPlaces<S>::fill_piece(Index pi
     const Index begin = lattice_.begin(piece);
     std::vector<bool> whole(static_cast<std::size_t>(lattice_.begin(piece + 1) - begin));
     std::vector<Part> parts;
-    FilledLine along(planes, resolution<S>(planes));
+    FilledLine along(planes, resolution(planes));
     const std::vector<Place> all = lattice_.lines(piece);
     for (auto first = all.begin(), last = first; first != all.end(); first = last) {
         std::vector<Eigen::Vector2d> lines;
