@@ -75,7 +75,7 @@ class Failures : public testing::Test {
 
     static PluginCatalogue with_faulty() {
         PluginCatalogue made;
-        made.open_file(fs::path(TEST_PLUGINS) / "sound" / "faulty.so");
+        made.open_file(fs::path(TEST_PLUGINS) / "faulty" / "faulty.so");
         return made;
     }
 

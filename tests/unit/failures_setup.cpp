@@ -58,7 +58,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Place{"geometry", "/bodies/bar/geometry", R"({"type": "faulty_geometry"})"},
                     Place{"solution", "/exact_solution", R"({"type": "faulty_solution", "body": "bar"})"},
                     Place{"output", "/outputs/0", R"({"type": "faulty_output"})"}),
-    [](const auto& info) { return info.param.name; });
+    [](const auto& which) { return which.param.name; });
 
 TEST_F(Failures, AllThatFailBeforeARunAreToldAtOnce) {
     Json text = bar();

@@ -31,7 +31,9 @@ template <class S>
 void expect_that_none_is_lost() {
     using Real = typename S::Real;
     const Json own{{"density", 1}};
-    const Massive<S> material(Parameters(own, {}));
+    const Parameters::Context context{};
+    const Massive<S> law(Parameters(own, context));
+    const Material<S>& material = law;
     static const Gathered<S> nothing{};
     for (const Index count : {1, 7, 20})
         for (Index wrong = 0; wrong < count; ++wrong)

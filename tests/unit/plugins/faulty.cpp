@@ -109,7 +109,7 @@ class FaultyCondition final : public BoundaryCondition<S> {
     std::array<bool, 3> prescribes(int) const override { return {true, true, true}; }
     Vector velocity(const Vector&, double time) const override {
         fault_.at("velocity", time);
-        return Vector::Zero();
+        return Vector::UnitX();
     }
 
   private:
