@@ -22,7 +22,7 @@ std::string outcome(const Json& row, const Json& search) {
     return fmt::format("{:g} (at {:g}: {})", limit, row.at("unstable").get<double>(), why);
 }
 
-void print_table(const Json& limits) {
+void print_limits(const Json& limits) {
     const Json& search = limits.at("search");
     std::size_t width = 0;
     for (const Json& row : limits.at("variants"))
@@ -58,7 +58,7 @@ int limits(const std::vector<std::string>& arguments) {
         return exit_failed;
     }
     if (values->count("quiet") == 0) {
-        print_table(result.report);
+        print_limits(result.report);
         std::cout << "report: " << (options.output / "limits.html").string() << "\n";
     }
     const auto has_limit = [](const Json& row) { return !row.at("limit").is_null(); };

@@ -32,7 +32,7 @@ std::string_view folder_of(const TemplateFile& file) {
     return file.path.substr(0, file.path.find('/'));
 }
 
-std::vector<std::string> template_kinds() {
+std::vector<std::string> kinds_of_plugins() {
     std::set<std::string> kinds;
     for (const TemplateFile& file : template_files())
         if (folder_of(file) != common) kinds.emplace(folder_of(file));
@@ -111,7 +111,7 @@ std::string reason_against(const std::string& name, const std::string& kind, con
 }
 
 void check(const std::string& kind, const std::string& name, const fs::path& folder) {
-    const std::vector<std::string> known = template_kinds();
+    const std::vector<std::string> known = kinds_of_plugins();
     if (std::find(known.begin(), known.end(), kind) == known.end())
         throw UsageError(fmt::format("there is no template for plugins of kind \"{}\"{}", kind,
                                      did_you_mean(kind, known)));
@@ -137,7 +137,7 @@ int new_plugin(const std::vector<std::string>& arguments) {
     VerbOptions verb;
     verb.usage = "matpoint new_plugin KIND NAME [--output DIR]";
     verb.doc = fmt::format("Writes a project for a plugin of your own, with a scene and tests. Kinds: {}.",
-                           fmt::join(template_kinds(), ", "));
+                           fmt::join(kinds_of_plugins(), ", "));
     verb.options.add_options()("output", po::value<std::string>()->value_name("DIR"),
                                "folder of the project; by default NAME");
     verb.least_arguments = verb.most_arguments = 2;

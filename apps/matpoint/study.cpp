@@ -12,7 +12,7 @@ namespace matpoint {
 namespace {
 
 /// Rows by number; the front is marked.
-void print_table(const Json& study) {
+void print_study(const Json& study) {
     std::size_t width = 0;
     for (const Json& row : study.at("variants"))
         width = std::max(width, row.at("name").get_ref<const std::string&>().size());
@@ -89,7 +89,7 @@ int study(const std::vector<std::string>& arguments) {
         return exit_failed;
     }
     if (!quiet) {
-        print_table(result.report);
+        print_study(result.report);
         print_references(result.report.at("accuracy"));
         print_best(result.report, options.output);
         std::cout << "report: " << (options.output / "study.html").string() << "\n";
