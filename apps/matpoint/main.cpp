@@ -8,13 +8,16 @@
 #include "config/nearest.hpp"
 #include "registry/instruction_set.hpp"
 #include "registry/plugin_library.hpp"
+#include "run/resource_error.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <csignal>
 #include <filesystem>
 #include <iostream>
 #include <new>
@@ -88,6 +91,13 @@ void limit_memory() {
 #endif
 }
 
+/// What is not open is opened, on nothing: a file of results would get the number of what is missing, and
+/// what is printed would go into it.
+void open_standard_streams() {
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (fcntl(stream, F_GETFD) < 0) open("/dev/null", O_RDWR);
+}
+
 int tell(int status, const std::string& text) {
     std::cout.flush();
     std::cerr << text << (text.ends_with('\n') ? "" : "\n");
@@ -99,7 +109,9 @@ int tell(int status, const std::string& text) {
 
 int main(int count, char** given) {
     using namespace matpoint;
+    open_standard_streams();
     limit_memory();
+    std::signal(SIGXFSZ, SIG_IGN);  // a file that would be too large is told of like a full disk
     const std::vector<std::string> arguments(given + 1, given + count);
     const std::string who = arguments.empty() ? "matpoint: " : "matpoint " + arguments.front() + ": ";
     try {
@@ -114,10 +126,13 @@ int main(int count, char** given) {
         return tell(exit_missing, who + error.what());
     } catch (const ComponentFailure& failure) {  // without the memory that it needs
         return tell(exit_missing, who + failure.what());
+    } catch (const ResourceError& error) {
+        return tell(exit_missing, who + error.what());
     } catch (const std::filesystem::filesystem_error& error) {
         return tell(exit_missing, who + error.what());
-    } catch (const std::bad_alloc&) {
-        return tell(exit_missing, who + "not enough memory");
+    } catch (const std::bad_alloc& error) {
+        const std::string_view text = error.what();
+        return tell(exit_missing, who + std::string(text == "std::bad_alloc" ? "not enough memory" : text));
     } catch (...) {
         return tell(exit_failed, who + text_of_exception());
     }

@@ -2,6 +2,8 @@
 #include "run_command.hpp"
 #include "verbs.hpp"
 
+#include "run/memory.hpp"
+#include "run/resource_error.hpp"
 #include "verify/load_scene.hpp"
 
 #include <matpoint/particles.hpp>
@@ -42,10 +44,6 @@ std::string reason_for(const std::string& name) {
             return "messages about a particle, and the order of outputs";
     }
     return "";
-}
-
-std::string memory_text(double bytes) {
-    return bytes < 1e6 ? fmt::format("{:.0f} kB", bytes / 1e3) : fmt::format("{:.1f} MB", bytes / 1e6);
 }
 
 void print_body(const Simulation& simulation, const SeededBody& seeded) {
@@ -124,6 +122,9 @@ int validate(const std::vector<std::string>& arguments) {
             std::cerr << error.what() << "\n";
             status = std::max(status, exit_bad_input);
         } catch (const PluginError& error) {
+            std::cerr << file << ": " << error.what() << "\n";
+            status = std::max(status, exit_missing);
+        } catch (const ResourceError& error) {
             std::cerr << file << ": " << error.what() << "\n";
             status = std::max(status, exit_missing);
         }

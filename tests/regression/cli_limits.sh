@@ -45,6 +45,26 @@ sed -e 's,/time/step,/materials/unit/density,' -e 's,"/materials/unit/youngs_mod
 expect 0 limits density.json
 [[ $(query out/density/limits.json '(v[0]["limit"], v[0]["unstable"])') == "(0.34, 0.33)" ]] || fail "smallest density 1/3: $out"
 
+# A range that leaves what the parameter takes, at either end or between, is a mistake: nothing is run.
+sed 's,/time/step,/materials/unit/poissons_ratio,; s/"from": 0.5/"from": 0.1/; s/"to": 4/"to": 0.7/' limits.json >outside.json
+expect 2 limits outside.json --output none
+says "$err" "outside.json:3:"
+says "$err" "/search/to: /materials/unit/poissons_ratio: expected a number > -1 and < 0.5, got 0.7"
+sed 's,/time/step,/materials/unit/poissons_ratio,; s/"from": 0.5/"from": -3/; s/"to": 4/"to": 0.3/' limits.json >outside.json
+expect 2 limits outside.json --output none
+says "$err" "/search/from: /materials/unit/poissons_ratio"
+sed 's,/time/step,/time/max_steps,; s/"from": 0.5/"from": 1/; s/"to": 4/"to": 5/' limits.json >outside.json
+expect 2 limits outside.json --output none
+says "$err" "/search: /time/max_steps: expected a whole number"
+[[ ! -e none ]] || fail "something was run"
+
+# A variant that the range does not suit is a row.
+sed 's,"/materials/unit/youngs_modulus": \[1\, 4\],"/integrator/type": ["usf"\, "usl"]\, "/transfer": [{"type": "flip"}\, {"type": "flip"\, "gradient_enhanced": true}],; s/"digits": 3/"digits": 1/' \
+    limits.json >suits.json
+expect 0 limits suits.json
+[[ $(query out/suits/limits.json '[r["status"] == "refused" for r in v]') == "[False, True, False, False]" ]] || fail "$out"
+[[ $(query out/suits/limits.json 'v[1]["trials"]') == "[]" ]] || fail "a variant that is refused was run"
+
 # Mistakes.
 sed 's/"below"/"belwo"/' limits.json >wrong.json
 expect 2 limits wrong.json

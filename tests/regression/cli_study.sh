@@ -55,17 +55,18 @@ expect 0 study more.json --output first --quiet
 expect 0 study study.json --output first --quiet --again
 [[ $(find first/runs -name summary.json -newer mark | wc -l) == 8 ]] || fail "not measured again"
 
-# Breaking down, and being refused by the scene's rules, is a row each.
+# Breaking down, and being refused by the scene's rules because of what else a variant has, is a row each.
 cat >rows.json <<'END'
 { "scene": "block.json", "set": { "/time/end": 0.02 }, "timing": "quiet", "keep_outputs": true,
-  "vary": { "/time/step": [1e-3, 0.1], "/materials/rubber/poissons_ratio": [0.3, 0.7] },
+  "vary": { "/time/step": [1e-3, 0.1], "/integrator/type": ["usl", "usf"],
+            "/transfer": [{ "type": "flip" }, { "type": "flip", "gradient_enhanced": true }] },
   "accuracy": { "summary": "/conservation/energy_drift" }, "target": 1e-9 }
 END
 expect 0 study rows.json
 says "$out" "one run at a time"
 says "$out" "no variant meets the target"
-[[ $(query out/rows/study.json '[r["status"] for r in v]') == "['completed', 'refused', 'broke_down', 'refused']" ]] || fail "$(rows out/rows)"
-says "$(query out/rows/study.json 'v[1]["reason"]')" "expected a number > -1 and < 0.5"
+[[ $(query out/rows/study.json '[r["status"] for r in v]') == "['completed', 'completed', 'completed', 'refused', 'broke_down', 'broke_down', 'broke_down', 'refused']" ]] || fail "$(rows out/rows)"
+says "$(query out/rows/study.json 'v[3]["reason"]')" "/transfer/gradient_enhanced"
 [[ ! -e out/rows/best.json && -n $(find out/rows/runs -name height.csv) ]] || fail "best.json or outputs"
 
 # A type that is varied does not stumble over parameters of the one before.
@@ -77,9 +78,17 @@ expect 0 study types.json --quiet
 [[ $(query out/types/study.json '[r["status"] for r in v]') == "['completed', 'completed', 'completed']" ]] || fail "$(rows out/types)"
 [[ $(query out/types/study.json 'json.load(open("out/types/" + v[1]["folder"] + "/variant.json"))["shape_function"]["domain"]') == uniform ]] \
     || fail "gimp lost its domain"
+
+# A value that is refused whatever the others are is a mistake of the study: nothing is run.
 sed -i 's/"bspline"/"bsplien"/' types.json
-expect 0 study types.json --quiet
-says "$(query out/types/study.json 'v[2]["reason"]')" 'did you mean "bspline"?'
+expect 2 study types.json --output none
+says "$err" "types.json:2:"
+says "$err" 'did you mean "bspline"?'
+sed 's,"/integrator/type": \["usl"\, "usf"\],"/materials/rubber/poissons_ratio": [0.3\, 0.7],' rows.json >ratio.json
+expect 2 study ratio.json --output none
+says "$err" "ratio.json:2:"
+says "$err" "expected a number > -1 and < 0.5, got 0.7"
+[[ ! -e none ]] || fail "something was run"
 
 # A crash is a row too. Job control, because a shell without it starts background jobs deaf to Ctrl-C.
 set -m

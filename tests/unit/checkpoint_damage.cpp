@@ -6,7 +6,7 @@ namespace matpoint {
 namespace {
 
 TEST_F(CheckpointTest, AMissingFileAndAFolderAreToldApart) {
-    EXPECT_SAYS(error_of_reading(), "checkpoint_00000042.h5 does not exist");
+    EXPECT_SAYS(error_of_reading(), "checkpoint_00000042.h5: there is no such file");
     EXPECT_SAYS(error_of([&] { read_checkpoint(folder); }), "is a folder");
 }
 

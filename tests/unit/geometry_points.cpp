@@ -65,7 +65,7 @@ TEST_F(GeometryPoints, RefusesFilesWithoutPoints) {
     EXPECT_SAYS(error_of_file(""), "it is empty");
     EXPECT_SAYS(error_of_file("x,y,volume\n\n"), "no points");
     EXPECT_SAYS(error_of({{"type", "points"}, {"file", "missing.csv"}}, 2), "missing.csv");
-    EXPECT_SAYS(error_of({{"type", "points"}, {"file", "."}}, 2), "cannot read");
+    EXPECT_SAYS(error_of({{"type", "points"}, {"file", "."}}, 2), "is a folder");
 }
 
 TEST_F(GeometryPoints, CutsAFloodOfMistakesShort) {

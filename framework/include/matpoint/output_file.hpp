@@ -34,7 +34,8 @@ class OutputFile {
 };
 
 /// A CSV table that grows by a row at each write; its first column is the time (s). Failures throw
-/// as those of OutputFile do.
+/// as those of OutputFile do, and so does a table that somebody removed or changed meanwhile. It is open
+/// while a row is written only, so that a run may have more tables than files may be open.
 class TimeTable {
   public:
     /// Begins the table. If the run resumes at `resumed_at` >= 0 and the file is there, its rows up to
@@ -48,7 +49,7 @@ class TimeTable {
 
   private:
     std::filesystem::path file_;
-    std::ofstream stream_;
+    std::uintmax_t size_ = 0;  ///< bytes, as this class left them
     std::size_t rows_ = 0;
     double last_time_ = 0;
 };

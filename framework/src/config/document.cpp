@@ -1,11 +1,11 @@
 #include "config/document.hpp"
 
+#include <matpoint/input_file.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
-#include <iterator>
 #include <vector>
 
 namespace matpoint {
@@ -41,6 +41,9 @@ class CountingIterator {
 /// Far more than any scene needs; pointers of values grow with their depth, and so does the stack of
 /// whoever walks them.
 constexpr std::size_t deepest_nesting = 256;
+
+/// The same, in bytes.
+constexpr std::uintmax_t largest_document = std::uintmax_t{256} << 20;
 
 /// Builds the values and records where each starts.
 class Reader final : public nlohmann::json_sax<Json> {
@@ -95,10 +98,12 @@ class Reader final : public nlohmann::json_sax<Json> {
             if (const auto found = reason.find(lead); found != reason.npos)
                 reason.remove_prefix(found + lead.size());
         }
+        const bool encoded = reason.find("UTF-8") == reason.npos;
         document_.mistakes.add({.file = document_.path.string(),
                                 .line = position.line,
                                 .column = position.column,
-                                .message = fmt::format("not valid JSON: {}", reason)});
+                                .message = fmt::format("not valid JSON: {}{}", reason,
+                                                       encoded ? "" : "; save the file as UTF-8")});
         return false;
     }
 
@@ -220,16 +225,12 @@ Document parse_document(std::string_view text, std::filesystem::path path) {
 }
 
 Document read_document(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream.is_open() || std::filesystem::is_directory(file)) {
+    if (std::string why = why_unreadable(file, largest_document); !why.empty()) {
         Diagnostics diagnostics;
-        diagnostics.add(
-            {.file = file.string(),
-             .message = std::filesystem::exists(file) ? "the file can't be read" : "there is no such file"});
+        diagnostics.add({.file = file.string(), .message = std::move(why)});
         throw InputError(diagnostics);
     }
-    const std::string text{std::istreambuf_iterator<char>(stream), {}};
-    return parse_document(text, file);
+    return parse_document(read_whole(file, largest_document), file);
 }
 
 void Document::forget_positions(const std::string& pointer) {

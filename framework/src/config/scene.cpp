@@ -2,6 +2,7 @@
 
 #include "config/expected.hpp"
 #include "config/output_files.hpp"
+#include "config/utf8.hpp"
 #include "config/validate.hpp"
 
 #include <fmt/format.h>
@@ -152,6 +153,21 @@ void check_output_files(const Json& resolved, Catalogue& catalogue, Validator& v
     }
 }
 
+/// Results are JSON, which is UTF-8: a text of other bytes, from a path or the command line, can't go into
+/// them.
+void check_texts(const Json& value, const std::string& at, Validator& validator) {
+    if (value.is_string() && as_utf8(value.get<std::string>()) != value)
+        validator.error(at,
+                        fmt::format("{} is not UTF-8 (� stands for what isn't), as all that is written into "
+                                    "results must be: choose another name",
+                                    shown(value)));
+    if (!value.is_structured()) return;
+    for (const auto& [key, member] : value.items()) {
+        if (as_utf8(key) != key) validator.error(at, fmt::format("the key {} is not UTF-8", shown(key)));
+        check_texts(member, join_pointer(at, key), validator);
+    }
+}
+
 SpaceId space_of(const Json& space) {
     const std::string mode = space.at("mode");
     return {.mode = mode == "bar"            ? Mode::bar
@@ -186,13 +202,14 @@ Scene resolve_scene(Document document, Catalogue& catalogue) {
     diagnostics.throw_if_errors();
 
     if (is_absent(resolved, "title")) {
-        Json titled = {{"matpoint", resolved["matpoint"]}, {"title", document.path.stem().string()}};
+        Json titled = {{"matpoint", resolved["matpoint"]}, {"title", as_utf8(document.path.stem().string())}};
         titled.update(resolved);
         resolved = std::move(titled);
     }
     Json plugins = Json::array();
     for (const auto& file : plugin_files(document)) plugins.push_back(file.string());
     resolved["plugins"] = plugins;
+    check_texts(resolved, "", validator);
     validator.check_rules(resolved);
     validator.check_formulas(resolved);
     check_output_files(resolved, catalogue, validator);

@@ -1,6 +1,10 @@
+#include <matpoint/input_file.hpp>
 #include <matpoint/output_file.hpp>
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -21,6 +25,31 @@ constexpr std::string_view unfinished = ".tmp";
 [[noreturn]] void throw_not_written(const std::filesystem::path& file, int error) {
     throw std::runtime_error(
         fmt::format("can't write {}: {}", file.string(), error ? std::strerror(error) : "the stream failed"));
+}
+
+/// Adds text to a file of `size` bytes. If that fails the file is as it was: half a number would be a wrong
+/// one.
+void append_to(const std::filesystem::path& file, std::uintmax_t& size, std::string_view text) {
+    const int descriptor = ::open(file.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+    if (descriptor < 0) throw_not_written(file, errno);
+    struct stat status {};
+    if (fstat(descriptor, &status) != 0 || static_cast<std::uintmax_t>(status.st_size) != size) {
+        ::close(descriptor);
+        throw std::runtime_error(
+            fmt::format("can't write {}: somebody else changed it during the run", file.string()));
+    }
+    int error = 0;
+    for (std::string_view left = text; !left.empty() && error == 0;) {
+        const ssize_t written = ::write(descriptor, left.data(), left.size());
+        if (written >= 0)
+            left.remove_prefix(static_cast<std::size_t>(written));
+        else if (errno != EINTR)
+            error = errno;
+    }
+    if (error != 0 && ftruncate(descriptor, static_cast<off_t>(size)) != 0) error = errno;
+    if (::close(descriptor) != 0 && error == 0) error = errno;
+    if (error != 0) throw_not_written(file, error);
+    size += text.size();
 }
 
 }  // namespace
@@ -69,6 +98,8 @@ void TimeTable::open(const std::filesystem::path& file, const std::vector<std::s
     const std::string header = fmt::format("{}\n", fmt::join(columns, ","));
     std::string kept = header;
     if (resumed_at >= 0 && std::filesystem::exists(file)) {
+        if (const std::string why = why_unreadable(file); !why.empty())
+            throw std::runtime_error(fmt::format("{}: {}", file.string(), why));
         std::ifstream old(file);
         std::string line;
         if (std::getline(old, line) && line + "\n" != header)
@@ -89,16 +120,12 @@ void TimeTable::open(const std::filesystem::path& file, const std::vector<std::s
     OutputFile begun(file);
     begun.write(kept);
     begun.commit();
-    errno = 0;
-    stream_.open(file, std::ios::binary | std::ios::app);
-    if (!stream_) throw_not_written(file, errno);
+    size_ = kept.size();
 }
 
 void TimeTable::append(double time, const std::vector<std::string>& values) {
     if (ends_at(time)) return;
-    errno = 0;
-    stream_ << fmt::format("{},{}\n", number_text(time), fmt::join(values, ",")) << std::flush;
-    if (!stream_) throw_not_written(file_, errno);
+    append_to(file_, size_, fmt::format("{},{}\n", number_text(time), fmt::join(values, ",")));
     last_time_ = time;
     ++rows_;
 }

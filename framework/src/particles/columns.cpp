@@ -3,7 +3,9 @@
 #include <sys/mman.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <new>
 
@@ -17,11 +19,23 @@ constexpr std::size_t rounded_up(std::size_t bytes, std::size_t unit) {
     return (bytes + unit - 1) / unit * unit;
 }
 
+class OutOfMemory : public std::bad_alloc {
+  public:
+    explicit OutOfMemory(std::size_t bytes) {
+        std::snprintf(text_.data(), text_.size(), "not enough memory: %.3g MB more were asked for",
+                      1e-6 * static_cast<double>(bytes));
+    }
+    const char* what() const noexcept override { return text_.data(); }
+
+  private:
+    std::array<char, 80> text_{};
+};
+
 /// Memory of the system that begins with a huge page.
 std::byte* map(std::size_t bytes) {
     void* const mapped =
         mmap(nullptr, bytes + huge_page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-    if (mapped == MAP_FAILED) throw std::bad_alloc();
+    if (mapped == MAP_FAILED) throw OutOfMemory(bytes);
     const auto address = reinterpret_cast<std::uintptr_t>(mapped);
     const std::size_t before = rounded_up(address, huge_page) - address;
     std::byte* const begin = static_cast<std::byte*>(mapped) + before;
@@ -49,7 +63,7 @@ typename Columns<Real>::Memory Columns<Real>::allocate(std::size_t bytes) {
     }
     const std::size_t whole = rounded_up(bytes, cache_line);
     auto* const memory = static_cast<Real*>(std::aligned_alloc(cache_line, whole));
-    if (memory == nullptr) throw std::bad_alloc();
+    if (memory == nullptr) throw OutOfMemory(whole);
     std::fill_n(memory, whole / sizeof(Real), Real(0));
     return Memory(memory);
 }

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <boost/dll/runtime_symbol_info.hpp>
 #include <cstdlib>
-#include <fstream>
+#include <matpoint/input_file.hpp>
 #include <matpoint/plugin.hpp>
 #include <sstream>
 
@@ -19,17 +19,17 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* index_suffix = ".plugin.json";
+constexpr std::uintmax_t largest_index = std::uintmax_t{16} << 20;  // bytes
 
 /// The library may be missing: that is told when one of its types is asked for.
 PluginRecord read_index_file(const fs::path& file, const fs::path& library) {
     try {
-        std::ifstream stream(file);
-        const Json json = Json::parse(stream);
+        const Json json = Json::parse(read_whole(file, largest_index));
         PluginRecord record{library, json.at("plugin"), json.at("version"), json.at("abi"), {}};
         for (const Json& component : json.at("components"))
             record.components.push_back({component.at("kind"), component.at("type"), component.at("doc")});
         return record;
-    } catch (const Json::exception& error) {
+    } catch (const std::exception& error) {
         throw PluginError(
             fmt::format("the plugin index {} can't be read: rebuild the plugin, which writes it anew ({})",
                         file.string(), error.what()));

@@ -4,9 +4,12 @@
 #include <matpoint/geometry.hpp>
 
 #include "config/formula_places.hpp"
+#include "particles/expected_count.hpp"
 #include "particles/region_volume.hpp"
 #include "particles/seeding.hpp"
 #include "run/derived_fields.hpp"
+#include "run/memory.hpp"
+#include "run/resource_error.hpp"
 #include "run/scene_checks.hpp"
 
 #include <fmt/format.h>
@@ -67,6 +70,8 @@ class Maker {
                 throw;
             } catch (const std::bad_alloc&) {
                 throw;  // hardly the component's
+            } catch (const ResourceError&) {
+                throw;
             } catch (...) {
                 throw_failure(component.origin(), function);
             }
@@ -247,6 +252,18 @@ void require_observed(const Maker& maker, const std::vector<ScheduledOutput>& ou
             }
 }
 
+/// Before a body is seeded: what it will take is asked of its geometry if the box around it might be too
+/// much.
+template <class S>
+void count_memory(const Particles<S>& particles, const Patch<S>& patch, const Geometry& geometry,
+                  const std::array<int, 3>& per_cell, MemoryBudget& memory) {
+    // The columns have a spare one.
+    const auto bytes = static_cast<double>(particles.bytes_per_particle() + sizeof(typename S::Real));
+    double count = most_particles(patch, geometry, per_cell);
+    if (memory.exceeded_by(count * bytes)) count = expected_particles(patch, geometry, per_cell);
+    memory.add(particles.body(), count, bytes);
+}
+
 }  // namespace
 
 template <class S>
@@ -284,6 +301,7 @@ Assembly<S> assemble(const Scene& scene, const Registry& registry) {
             maker.mistake("/grid", "needs at least " + std::to_string(components.shape->width() - 1) +
                                        " cells on every axis for this shape function");
 
+    MemoryBudget memory;
     std::size_t number = 0;
     for (const auto& [name, body] : scene.resolved.at("bodies").items()) {
         Particles<S> particles(name);
@@ -311,6 +329,7 @@ Assembly<S> assemble(const Scene& scene, const Registry& registry) {
             std::array<int, 3> per_cell{1, 1, 1};
             for (std::size_t a = 0; a < S::dimension; ++a)
                 per_cell[a] = body.at("particles_per_cell")[a].template get<int>();
+            count_memory(particles, patch, *geometries[number], per_cell, memory);
             std::vector<std::optional<Profile>> velocity;
             for (const Json& component : body.at("velocity"))
                 velocity.push_back(component.is_null() ? std::nullopt : std::optional<Profile>(component));

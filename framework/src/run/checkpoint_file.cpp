@@ -1,12 +1,12 @@
 #include "run/checkpoint_file.hpp"
 
+#include <matpoint/input_file.hpp>
+
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <string_view>
 #include <system_error>
 
@@ -131,15 +131,11 @@ class Descriptor {
 /// What can be told before HDF5 opens the file.
 void expect_whole(const fs::path& file) {
     std::error_code ignored;
-    if (!fs::exists(file, ignored))
-        throw CheckpointError(fmt::format("checkpoint {} does not exist", file.string()));
     if (fs::is_directory(file, ignored))
         throw CheckpointError(
             fmt::format("checkpoint {} is a folder: name the .h5 file in it", file.string()));
-    errno = 0;
-    if (!std::ifstream(file))
-        throw CheckpointError(
-            fmt::format("checkpoint {} can't be read: {}", file.string(), std::strerror(errno)));
+    if (const std::string why = why_unreadable(file); !why.empty())
+        throw CheckpointError(fmt::format("checkpoint {}: {}", file.string(), why));
     switch (examine_seal(file)) {
         case SealState::absent:
             throw CheckpointError(file.string() +

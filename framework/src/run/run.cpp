@@ -6,6 +6,8 @@
 #include "run/clock.hpp"
 #include "run/health.hpp"
 #include "run/progress.hpp"
+#include "run/resource_error.hpp"
+#include "run/result_folder.hpp"
 #include "run/rotation.hpp"
 #include "run/signals.hpp"
 #include "run/summary.hpp"
@@ -82,9 +84,7 @@ class Run {
 
     RunResult operator()() {
         RunResult result;
-        fs::create_directories(options_.output);
-        remove_stale_states();
-        write_json(options_.output / "resolved.json", with_plugins(scene_.resolved, catalogue_));
+        begin_folder();
         const SignalGuard signals;
         Progress progress(options_.progress);
         tell_warnings(progress);
@@ -106,6 +106,16 @@ class Run {
     }
 
   private:
+    void begin_folder() {
+        folder_ = std::make_unique<ResultFolder>(options_.output);
+        remove_stale_states();
+        try {
+            write_json(options_.output / "resolved.json", with_plugins(scene_.resolved, catalogue_));
+        } catch (const std::runtime_error& failure) {
+            throw ResourceError(failure.what());
+        }
+    }
+
     /// The exception in flight ends the run: what can still be saved is saved, then the reason is told.
     void tell_failure(RunResult& result) const {
         RunStatus status = RunStatus::broke_down;
@@ -205,7 +215,10 @@ class Run {
             clock_.particle_steps += static_cast<double>(simulation_->particle_count());
             const auto& outputs = simulation_->outputs();
             for (std::size_t k = 0; k < outputs.size(); ++k)
-                if (schedules_[k].due(simulation_->time(), simulation_->step())) write(outputs[k]);
+                if (schedules_[k].due(simulation_->time(), simulation_->step())) {
+                    folder_->expect_in_place();
+                    write(outputs[k]);
+                }
             if (checkpoints_ && checkpoints_->due(simulation_->time(), simulation_->step())) {
                 save();
                 prune_checkpoints(checkpoint_folder(), keep_);
@@ -216,6 +229,7 @@ class Run {
             }
             progress.show(*simulation_, clock_);
         }
+        folder_->expect_in_place();
         for (const ScheduledOutput& scheduled : simulation_->outputs()) write(scheduled);
     }
 
@@ -240,7 +254,8 @@ class Run {
         write_state(file);
     }
     void write_state(const fs::path& file) const {
-        fs::create_directories(checkpoint_folder());
+        folder_->expect_in_place();
+        fs::create_directory(checkpoint_folder());
         write_checkpoint(file, simulation_->state());
     }
 
@@ -248,6 +263,7 @@ class Run {
         const std::string what = stepping_ ? "\nThe last good state" : "\nThe state";
         try {
             if (stepping_) recompute(good_step_);
+            restore_folder();
             const fs::path file = checkpoint_path(checkpoint_folder(), simulation_->step());
             write_state(file);
             result.reason += what + " is saved in " + file.string();
@@ -281,8 +297,14 @@ class Run {
         return latest;
     }
 
+    /// A folder that somebody removed is made anew, so that the state is not lost.
+    void restore_folder() {
+        if (!fs::exists(options_.output)) folder_ = std::make_unique<ResultFolder>(options_.output);
+    }
+
     void write_summary(RunResult& result) {
         try {
+            folder_->expect_in_place();
             write_json(options_.output / "summary.json", result.summary);
         } catch (const std::runtime_error& failure) {
             if (result.status == RunStatus::completed) result.status = RunStatus::unfinished;
@@ -297,6 +319,7 @@ class Run {
     const Scene& scene_;
     PluginCatalogue& catalogue_;
     const RunOptions& options_;
+    std::unique_ptr<ResultFolder> folder_;
     std::unique_ptr<Simulation> simulation_;
     std::vector<Schedule> schedules_;
     std::optional<Schedule> checkpoints_;

@@ -29,8 +29,10 @@ struct RunResult {
     int exit_status() const { return status == RunStatus::completed ? 0 : 1; }
 };
 
-/// Runs a scene to its end: outputs, checkpoints, summary.json, resolved.json. SIGINT and SIGTERM (while
-/// it runs) write a checkpoint and end it with status interrupted. Errors in input throw InputError.
+/// Runs a scene to its end: outputs, checkpoints, summary.json, resolved.json. A signal that ends programs
+/// (while it runs, <run/signals.hpp>) writes a checkpoint and ends it with status interrupted. Errors in
+/// input throw InputError; ResourceError: somebody else writes into the folder, or the memory does not
+/// suffice.
 RunResult run_scene(const Scene& scene, PluginCatalogue& catalogue, const RunOptions& options);
 
 /// The scene a checkpoint was written by, resolved again.

@@ -40,16 +40,17 @@ SealState examine_seal(const std::filesystem::path& file) {
     if (!found.starts_with(first_lines)) return SealState::absent;
     const std::uint64_t expected = std::strtoull(found.c_str() + first_lines.size(), nullptr, 10);
 
+    const std::uintmax_t size = std::filesystem::file_size(file);
+    if (size < seal_size + expected) return SealState::cut_short;
+    if (size > seal_size + expected) return SealState::damaged;
+
     boost::crc_32_type checksum;
-    std::uint64_t bytes = 0;
     std::vector<char> buffer(1024 * 1024);
     while (stream) {
         stream.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
         checksum.process_bytes(buffer.data(), static_cast<std::size_t>(stream.gcount()));
-        bytes += static_cast<std::uint64_t>(stream.gcount());
     }
-    if (bytes < expected) return SealState::cut_short;
-    return found == seal_text(bytes, checksum.checksum()) ? SealState::whole : SealState::damaged;
+    return found == seal_text(expected, checksum.checksum()) ? SealState::whole : SealState::damaged;
 }
 
 }  // namespace matpoint

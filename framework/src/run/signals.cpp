@@ -14,16 +14,18 @@ static void note_signal(int) {
 
 SignalGuard::SignalGuard() {
     received = 0;
-    struct sigaction action {};
-    action.sa_handler = note_signal;
-    action.sa_flags = static_cast<int>(SA_RESETHAND);
-    sigaction(SIGINT, &action, &old_interrupt_);
-    sigaction(SIGTERM, &action, &old_terminate_);
+    for (std::size_t i = 0; i < noted.size(); ++i) {
+        struct sigaction action {};
+        action.sa_handler = note_signal;
+        // The others come more than once: a terminal that is closed says so by itself and by its shell.
+        if (noted[i] == SIGINT || noted[i] == SIGTERM) action.sa_flags = static_cast<int>(SA_RESETHAND);
+        sigaction(noted[i], nullptr, &old_[i]);
+        if (old_[i].sa_handler != SIG_IGN || noted[i] != SIGHUP) sigaction(noted[i], &action, nullptr);
+    }
 }
 
 SignalGuard::~SignalGuard() {
-    sigaction(SIGINT, &old_interrupt_, nullptr);
-    sigaction(SIGTERM, &old_terminate_, nullptr);
+    for (std::size_t i = 0; i < noted.size(); ++i) sigaction(noted[i], &old_[i], nullptr);
 }
 
 bool signals_received() {

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <csignal>
 
 namespace matpoint {
 
-/// While it lives, SIGINT and SIGTERM are noted rather than fatal; a second one is fatal again.
+/// While it lives, SIGINT, SIGTERM, SIGHUP and SIGXCPU (processor time is running out) are noted rather than
+/// fatal. A second SIGINT or SIGTERM is fatal again. SIGHUP stays ignored if it is (nohup).
 class SignalGuard {
   public:
     SignalGuard();
@@ -13,8 +15,8 @@ class SignalGuard {
     SignalGuard& operator=(const SignalGuard&) = delete;
 
   private:
-    struct sigaction old_interrupt_ {
-    }, old_terminate_{};
+    static constexpr std::array<int, 4> noted{SIGINT, SIGTERM, SIGHUP, SIGXCPU};
+    std::array<struct sigaction, 4> old_{};
 };
 
 /// Whether one has come since the guard was made.

@@ -1,5 +1,6 @@
 #include "run/summary.hpp"
 
+#include "config/utf8.hpp"
 #include "registry/instruction_set.hpp"
 
 #include <matpoint/parallel.hpp>
@@ -82,7 +83,7 @@ Json summarise(const Simulation& simulation, const PluginCatalogue& catalogue, c
     }
     if (const auto error = simulation.error()) summary["error"] = *error;
     for (const PluginLibrary& plugin : catalogue.opened()) summary["loaded_plugins"].push_back(plugin.name());
-    if (!result.reason.empty()) summary["reason"] = result.reason;
+    if (!result.reason.empty()) summary["reason"] = as_utf8(result.reason);
     if (!simulation.warnings().empty()) summary["warnings"] = simulation.warnings();
     return summary;
 }

@@ -2,6 +2,7 @@
 
 #include "report/limits_report.hpp"
 #include "report/text_file.hpp"
+#include "run/result_folder.hpp"
 #include "study/files.hpp"
 #include "study/limit_search.hpp"
 #include "study/progress.hpp"
@@ -80,16 +81,28 @@ class VariantSearch {
         return row;
     }
 
-    Variant at(double value) const {
+    Variant at(double value) const { return at(value, "/search/pointer"); }
+    /// At the ends of the range and in its middle, where a value may be none that the parameter takes.
+    std::vector<Variant> probes() const {
+        std::vector<Variant> all{at(parameter("from"), "/search/from"), at(parameter("to"), "/search/to")};
+        LimitSearch ended = search_;
+        ended.answer(true);
+        ended.answer(false);
+        if (const auto middle = ended.next()) all.push_back(at(*middle, "/search"));
+        return all;
+    }
+    void refuse(const std::string& why) { refusal_ = why; }
+
+  private:
+    Variant at(double value, const char* said_at) const {
         const std::string pointer = study_.json.at("search").at("pointer");
         Variant trial = variant_;
         trial.name += fmt::format(", {}={:g}", pointer.substr(pointer.rfind('/') + 1), value);
-        trial.assignments.push_back({pointer, value, "/search/pointer"});
+        trial.assignments.push_back({pointer, value, said_at});
         return trial;
     }
     double parameter(const char* name) const { return study_.json.at("search").at(name).get<double>(); }
 
-  private:
     const StudyFile& study_;
     Variant variant_;
     LimitSearch search_;
@@ -148,15 +161,20 @@ class Trials {
 StudyResult run_limits(const StudyFile& study, const StudyOptions& options) {
     const VariantScenes scenes(study);
     std::vector<VariantSearch> searches;
-    std::vector<Variant> ends;  // of the ranges: what is refused there is told before anything runs
+    std::vector<Variant> probes;  // what is refused there is told before anything runs
+    std::vector<std::size_t> probed;
     for (Variant& variant : make_variants(study)) {
         searches.emplace_back(study, std::move(variant));
-        for (const char* end : {"from", "to"})
-            ends.push_back(searches.back().at(searches.back().parameter(end)));
+        for (Variant& probe : searches.back().probes()) {
+            probes.push_back(std::move(probe));
+            probed.push_back(searches.size() - 1);
+        }
     }
-    scenes.resolve_all(ends);
+    scenes.resolve_all(probes);
+    for (std::size_t i = 0; i < probes.size(); ++i)
+        if (!probes[i].refusal.empty()) searches[probed[i]].refuse(probes[i].refusal);
     Measurement measurement(study, options);
-    std::filesystem::create_directories(options.output);
+    const ResultFolder folder(options.output);
 
     Trials trials(searches, scenes, measurement);
     StudyProgress progress(options.progress, searches.size());
@@ -181,6 +199,7 @@ StudyResult run_limits(const StudyFile& study, const StudyOptions& options) {
               {"variants", Json::array()},
               {"machine", machine()}};
     for (const VariantSearch& search : searches) report["variants"].push_back(search.row());
+    folder.expect_in_place();
     write_text(options.output / "limits.json", report.dump(2) + "\n");
     write_text(options.output / "limits.csv", csv(report));
     write_limits_report(report, options.output);

@@ -1,6 +1,10 @@
 #include "study/measurement.hpp"
 
+#include <matpoint/input_file.hpp>
 #include <matpoint/output_file.hpp>
+
+#include "config/utf8.hpp"
+#include "run/result_folder.hpp"
 
 #include <fmt/format.h>
 
@@ -8,8 +12,6 @@
 #include <boost/crc.hpp>
 #include <cmath>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 
 namespace matpoint {
 namespace {
@@ -30,9 +32,9 @@ std::string text_of(const Json& scene) {
     return scene.dump(2) + "\n";
 }
 
+/// Empty if it is not there.
 std::string read_text(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
+    return why_unreadable(file).empty() ? read_whole(file) : "";
 }
 
 std::string first_line(const std::string& text) {
@@ -77,6 +79,8 @@ std::optional<Outcome> Measurement::known(const Variant& variant) const {
 Job Measurement::prepare(const Variant& variant, std::size_t id) {
     running_.insert(folder(variant));
     const fs::path path = options_.output / folder(variant);
+    // A run that outlives the study that began it may still write there.
+    { const ResultFolder unused(path); }
     fs::remove_all(path);
     fs::create_directories(path);
     OutputFile file(path / scene_file);
@@ -110,7 +114,7 @@ Outcome Measurement::finish(const Variant& variant, ProcessEnd end) {
         return {"crashed", fmt::format("killed by signal {} ({})", end.signal, strsignal(end.signal)), {}};
     Json summary = read_summary(path);
     if (!summary.is_null()) return outcome_of(std::move(summary));
-    std::string log = read_text(path / log_file);
+    std::string log = as_utf8(read_text(path / log_file));
     while (log.ends_with('\n')) log.pop_back();
     if (end.status == exit_bad_input) return {"refused", log, {}};
     return {"crashed", log.empty() ? fmt::format("ended with status {}", end.status) : log, {}};

@@ -29,8 +29,8 @@ struct SideBySide {
     std::function<void(int running)> waiting;  ///< called many times a second
 };
 
-/// Runs processes until there is no next one and none is left. SIGINT and SIGTERM (while it runs)
-/// kill those that run; returns false then.
+/// Runs processes until there is no next one and none is left. A signal that ends programs (while it
+/// runs) kills those that are left; returns false then.
 bool run_side_by_side(const SideBySide& work);
 
 }  // namespace matpoint

@@ -15,14 +15,16 @@ void StudyProgress::show(std::size_t measured, std::size_t left, int running) {
                                 ? ""
                                 : fmt::format("  ETA {:.0f} s", elapsed / static_cast<double>(measured) *
                                                                     static_cast<double>(left));
-    fmt::print(stderr, "\r\033[K{} of {} done  {} running  {:.0f} s{}", total_ - left, total_, running,
-               elapsed, eta);
+    // A terminal that was closed must not end the study as fmt::print would.
+    const std::string line = fmt::format("\r\033[K{} of {} done  {} running  {:.0f} s{}", total_ - left,
+                                         total_, running, elapsed, eta);
+    std::fputs(line.c_str(), stderr);
     std::fflush(stderr);
     drawn_ = true;
 }
 
 StudyProgress::~StudyProgress() {
-    if (drawn_) fmt::print(stderr, "\r\033[K");
+    if (drawn_) std::fputs("\r\033[K", stderr);
 }
 
 }  // namespace matpoint

@@ -1,5 +1,7 @@
 #include "study/recommendation.hpp"
 
+#include <matpoint/input_file.hpp>
+
 #include "registry/plugin_index.hpp"
 
 #include <matpoint/geometry.hpp>
@@ -8,7 +10,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <fstream>
 #include <vector>
 
 namespace matpoint {
@@ -24,7 +25,7 @@ std::vector<Json> read_fronts(const fs::path& folder) {
         if (entry.path().extension() == ".json") files.push_back(entry.path());
     std::sort(files.begin(), files.end());
     std::vector<Json> fronts;
-    for (const fs::path& file : files) fronts.push_back(Json::parse(std::ifstream(file)));
+    for (const fs::path& file : files) fronts.push_back(Json::parse(read_whole(file)));
     return fronts;
 }
 

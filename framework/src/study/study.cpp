@@ -2,6 +2,7 @@
 
 #include "report/report.hpp"
 #include "report/text_file.hpp"
+#include "run/result_folder.hpp"
 #include "study/files.hpp"
 #include "study/progress.hpp"
 #include "study/rows.hpp"
@@ -86,7 +87,7 @@ StudyResult run_study(const StudyFile& study, const StudyOptions& options) {
     scenes.resolve_all(variants);
     check_accuracy(study, variants);
     Measurement measurement(study, options);
-    std::filesystem::create_directories(options.output);
+    const ResultFolder folder(options.output);
     const auto outcomes = measure(variants, measurement, study, options);
 
     StudyResult result;
@@ -108,6 +109,7 @@ StudyResult run_study(const StudyFile& study, const StudyOptions& options) {
               {"varied", varied(study)}};
     if (study.json.contains("target")) report["target"] = study.json.at("target");
     report["variants"] = rows.json();
+    folder.expect_in_place();
     std::filesystem::remove(options.output / "best.json");
     if (study.json.contains("target")) {
         if (const Json* best = best_row(report.at("variants"), report.at("target"))) {

@@ -14,7 +14,7 @@ struct StudyResult {
 };
 
 /// Runs the variants of a study that have not been measured yet, and writes study.json, study.csv, the report
-/// and, if the target is met, best.json. Throws InputError.
+/// and, if the target is met, best.json. Throws InputError, ResourceError.
 StudyResult run_study(const StudyFile& study, const StudyOptions& options);
 
 }  // namespace matpoint

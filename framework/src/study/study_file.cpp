@@ -1,6 +1,7 @@
 #include "study/study_file.hpp"
 
 #include "config/expected.hpp"
+#include "config/utf8.hpp"
 #include "config/validate.hpp"
 #include "study/study_schema.hpp"
 #include "verify/no_components.hpp"
@@ -37,7 +38,7 @@ class Reader {
         make_axes(study);
         check(study, resolved);
         mistakes_.throw_if_errors();
-        study.title = resolved.value("title", document_->path.stem().string());
+        study.title = resolved.value("title", as_utf8(document_->path.stem().string()));
         study.scene = resolved.at("scene").get<std::string>();
         study.json = std::move(resolved);
         return study;

@@ -1,5 +1,6 @@
 #include "study/variants.hpp"
 
+#include "config/utf8.hpp"
 #include "run/summary.hpp"
 #include "study/type_change.hpp"
 #include "verify/load_scene.hpp"
@@ -9,7 +10,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <set>
+#include <utility>
 
 namespace matpoint {
 namespace {
@@ -125,16 +128,23 @@ Diagnostics VariantScenes::resolve(Variant& variant, Diagnostics& mistakes) cons
             variant.scene["resolved_with"]["timing"] = study_.json.at("timing");
         return {};
     } catch (const InputError& error) {
-        variant.refusal = one_line(error.diagnostics());
+        variant.refusal = as_utf8(one_line(error.diagnostics()));
         return in_study(error.diagnostics(), variant);
     }
 }
 
 void VariantScenes::resolve_all(std::vector<Variant>& variants) const {
-    Diagnostics mistakes, refusals;
-    for (Variant& variant : variants) refusals.add(resolve(variant, mistakes));
-    const bool hopeless = std::ranges::all_of(variants, [](const Variant& v) { return !v.refusal.empty(); });
-    if (hopeless) mistakes.add(refusals);
+    Diagnostics mistakes;
+    std::map<std::pair<std::string, std::string>, std::vector<std::size_t>> uses;  // of a value, by variant
+    std::vector<Diagnostics> refusals;
+    for (std::size_t i = 0; i < variants.size(); ++i) {
+        refusals.push_back(resolve(variants[i], mistakes));
+        for (const Setting& setting : variants[i].assignments)
+            if (!setting.from.empty()) uses[{setting.from, setting.value.dump()}].push_back(i);
+    }
+    for (const auto& [value, users] : uses)
+        if (std::ranges::all_of(users, [&](std::size_t i) { return !variants[i].refusal.empty(); }))
+            for (const std::size_t i : users) mistakes.add(refusals[i]);
     Diagnostics once;
     std::set<std::string> told;
     for (const Diagnostic& d : mistakes.all())

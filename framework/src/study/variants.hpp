@@ -33,7 +33,8 @@ class VariantScenes {
     /// Fills in the variant's `arguments` and `scene`, or `refusal`, whose mistakes are returned. A pointer
     /// that leads nowhere is a mistake of the study.
     Diagnostics resolve(Variant& variant, Diagnostics& mistakes) const;
-    /// The same for all. Throws InputError for mistakes of the study, and if none of the variants can be run.
+    /// The same for all. Throws InputError for mistakes of the study: a value with which no variant can be
+    /// run is one.
     void resolve_all(std::vector<Variant>& variants) const;
     /// The variant as a scene that runs from any folder, with the outputs of the original.
     Json scene_to_keep(const Variant& variant) const;

@@ -1,5 +1,7 @@
 #include "verify/cases.hpp"
 
+#include <matpoint/input_file.hpp>
+
 #include "config/validate.hpp"
 #include "verify/check.hpp"
 #include "verify/no_components.hpp"
@@ -7,8 +9,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 
 namespace matpoint {
 namespace {
@@ -137,8 +137,8 @@ void add_file(const fs::path& file, std::vector<Case>& cases, Diagnostics& mista
 
 /// Most scenes have none, and needn't be parsed.
 bool mentions_checks(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    if (!why_unreadable(file).empty()) return false;
+    const std::string text = read_whole(file);
     return text.find("\"checks\"") != text.npos && text.find("\"matpoint\"") != text.npos;
 }
 
@@ -147,7 +147,8 @@ bool mentions_checks(const fs::path& file) {
 std::vector<Case> find_cases(const std::vector<fs::path>& paths, Diagnostics& mistakes) {
     std::vector<Case> cases;
     for (const fs::path& path : paths) {
-        if (!fs::is_directory(path)) {
+        std::error_code ignored;  // add_file tells
+        if (!fs::is_directory(path, ignored)) {
             add_file(path, cases, mistakes);
             continue;
         }

@@ -1,5 +1,7 @@
 #include "verify/table.hpp"
 
+#include <matpoint/input_file.hpp>
+
 #include "config/nearest.hpp"
 
 #include <fmt/format.h>
@@ -7,12 +9,13 @@
 
 #include <algorithm>
 #include <charconv>
-#include <fstream>
 #include <sstream>
 #include <stdexcept>
 
 namespace matpoint {
 namespace {
+
+constexpr std::uintmax_t largest_table = std::uintmax_t{1} << 30;  // bytes
 
 std::vector<std::string> cells(const std::string& line) {
     std::vector<std::string> all;
@@ -47,8 +50,7 @@ std::string Table::only_column() const {
 }
 
 Table read_table(const std::filesystem::path& file) {
-    std::ifstream stream(file);
-    if (!stream) throw std::runtime_error(fmt::format("there is no file {}", file.string()));
+    std::istringstream stream(read_whole(file, largest_table));
     Table table{file, {}, {}};
     int number = 0;
     for (std::string line; std::getline(stream, line);) {

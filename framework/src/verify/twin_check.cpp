@@ -1,3 +1,5 @@
+#include <matpoint/input_file.hpp>
+
 #include "verify/check.hpp"
 #include "verify/load_scene.hpp"
 
@@ -11,9 +13,10 @@ namespace {
 
 /// Where two files differ first; empty if they are the same.
 std::string first_difference(const std::filesystem::path& file, const std::filesystem::path& twin) {
+    for (const std::filesystem::path& each : {file, twin})
+        if (const std::string why = why_unreadable(each); !why.empty())
+            throw std::runtime_error(fmt::format("{}: {}", each.string(), why));
     std::ifstream ours(file), theirs(twin);
-    if (!ours) throw std::runtime_error(fmt::format("there is no file {}", file.string()));
-    if (!theirs) throw std::runtime_error(fmt::format("the other scene writes no file {}", twin.string()));
     for (int line = 1;; ++line) {
         std::string a, b;
         const bool more = static_cast<bool>(std::getline(ours, a));

@@ -1,5 +1,7 @@
 #include "point_file.hpp"
 
+#include <matpoint/input_file.hpp>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -16,6 +18,7 @@ namespace {
 
 constexpr std::size_t most_mistakes = 20;
 constexpr std::size_t volume_column = 6;
+constexpr std::streamsize longest_line = 65536;
 constexpr std::array<std::string_view, 7> column_names = {"x", "y", "z", "vx", "vy", "vz", "volume"};
 
 std::string in_quotes(std::string_view text) {
@@ -50,10 +53,11 @@ class Reader {
     Reader(const std::filesystem::path& file, int dimension) : name_(file.string()), dimension_(dimension) {}
 
     PointTable read(std::istream& in) {
-        std::string text;
-        while (std::getline(in, text)) {
+        std::vector<char> buffer(longest_line);
+        while (in.getline(buffer.data(), longest_line)) {
             ++line_;
-            if (line_ == 1 && text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // byte order mark
+            std::string_view text(buffer.data(), static_cast<std::size_t>(in.gcount()) - (in.eof() ? 0 : 1));
+            if (line_ == 1 && text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // byte order mark
             const std::string_view line = trimmed(text);
             if (line.empty() || line.front() == '#') continue;
             if (table_.columns.empty()) {
@@ -63,7 +67,10 @@ class Reader {
                 read_row(split(line));
             }
         }
-        if (table_.columns.empty())
+        if (!in.eof() && in.gcount() == longest_line - 1) {
+            ++line_;
+            mistake("longer than any row of numbers: this is no table");
+        } else if (table_.columns.empty())
             mistakes_.push_back(name_ +
                                 ": it is empty; expected a line of column names, such as \"x, y, volume\"");
         if (mistakes_.empty() && table_.numbers.empty())
@@ -149,9 +156,9 @@ PointCloud::Point PointTable::point(Index row) const {
 }
 
 PointTable read_point_file(const std::filesystem::path& file, int dimension) {
+    if (const std::string why = why_unreadable(file); !why.empty())
+        throw std::invalid_argument(file.string() + ": " + why);
     std::ifstream in(file, std::ios::binary);
-    if (!in || std::filesystem::is_directory(file))
-        throw std::invalid_argument("cannot read the file " + in_quotes(file.string()));
     return Reader(file, dimension).read(in);
 }
 

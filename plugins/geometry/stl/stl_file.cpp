@@ -1,13 +1,13 @@
 #include "stl_file.hpp"
 
+#include <matpoint/input_file.hpp>
+
 #include <algorithm>
 #include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -23,19 +23,15 @@ constexpr std::size_t header_size = 84, triangle_size = 50, corners_offset = 12;
 static_assert(std::endian::native == std::endian::little,
               "the binary reader copies little-endian numbers as they are");
 
+/// What the header says.
 std::size_t binary_triangles(const std::string& data) {
     std::uint32_t count;
     std::memcpy(&count, data.data() + header_size - sizeof count, sizeof count);
     return count;
 }
 
-bool has_binary_size(const std::string& data) {
-    return data.size() >= header_size && data.size() == header_size + triangle_size * binary_triangles(data);
-}
-
 /// Binary files may begin with "solid" too; only text has a facet or an end soon after it.
-bool looks_like_text(const std::string& data) {
-    const std::string_view start(data.data(), std::min<std::size_t>(data.size(), 1024));
+bool looks_like_text(std::string_view start) {
     return start.substr(0, 256).find("solid") != std::string_view::npos &&
            (start.find("facet") != std::string_view::npos ||
             start.find("endsolid") != std::string_view::npos) &&
@@ -140,26 +136,24 @@ class TextReader {
 
 std::vector<Triangle> read_stl_file(const std::filesystem::path& file) {
     const std::string name = file.string();
-    std::ifstream in(file, std::ios::binary);
-    if (!in || std::filesystem::is_directory(file))
-        throw std::invalid_argument("cannot read the file \"" + name + "\"");
-    const std::string data{std::istreambuf_iterator<char>(in), {}};
+    const std::string start = read_beginning(file, 1024);
+    const std::uintmax_t size = std::filesystem::file_size(file);
 
     std::vector<Triangle> triangles;
-    if (data.empty()) throw std::invalid_argument(name + " is empty; expected an STL file, binary or ASCII");
-    if (has_binary_size(data)) {
-        triangles = read_binary(data, name);
-    } else if (looks_like_text(data)) {
-        triangles = TextReader(data, name).read();
-    } else if (data.size() < header_size) {
-        throw std::invalid_argument(name + " has " + std::to_string(data.size()) +
+    if (start.empty()) throw std::invalid_argument(name + " is empty; expected an STL file, binary or ASCII");
+    if (size >= header_size && size == header_size + triangle_size * binary_triangles(start)) {
+        triangles = read_binary(read_whole(file), name);
+    } else if (looks_like_text(start)) {
+        triangles = TextReader(read_whole(file), name).read();
+    } else if (size < header_size) {
+        throw std::invalid_argument(name + " has " + std::to_string(size) +
                                     " bytes and is not ASCII STL; a binary STL file has at least 84");
     } else {
-        const std::size_t count = binary_triangles(data);
+        const std::size_t count = binary_triangles(start);
         throw std::invalid_argument(
             name + ": its header announces " + std::to_string(count) + " triangles, which take " +
             std::to_string(header_size + triangle_size * count) + " bytes, but the file has " +
-            std::to_string(data.size()) + ": it is truncated, or not an STL file");
+            std::to_string(size) + ": it is truncated, or not an STL file");
     }
     if (triangles.empty()) throw std::invalid_argument(name + " has no triangles");
     return triangles;
