@@ -119,12 +119,14 @@ TEST(AskedFor, RegionThatNoBodyEverReachedIsToldAtTheEnd) {
 }
 
 TEST(AskedFor, RegionThatHeldBeforeACheckpointHasHeld) {
-    Json json = scene({{{"type", "fixed"}, {"on", box({0.3, 0.65}, {0.7, 0.75})}}});
-    json["time"] = {{"end", 1}, {"step", 1e-3}, {"max_steps", 4}};
+    // The block falls out of a region that holds it sideways: by 0.16 m before the checkpoint.
+    Json json = scene({{{"type", "slip"}, {"axis", "x"}, {"on", box({0.3, 0.65}, {0.7, 0.75})}}});
+    json["bodies"]["block"]["velocity"] = {0, -20};
+    json["time"] = {{"end", 1}, {"step", 1e-3}, {"max_steps", 11}};
     Simulated first(json), second(json);
-    first.advance(2);
+    first.advance(8);
     second->restore(first->state());
-    second.advance(2);
+    second.advance(3);
     EXPECT_TRUE(second->warnings().empty());
 }
 
@@ -168,8 +170,8 @@ TEST(AskedFor, EveryFaceThatTwoConditionsPrescribeIsRefused) {
 }
 
 TEST(AskedFor, ConditionThatLeavesAllFreeIsRefused) {
-    EXPECT_TRUE(
-        says(scene({velocity("x_min", {nullptr, nullptr})}), {"error: /boundary_conditions/0/velocity"}));
+    EXPECT_TRUE(says(scene(Json::array({velocity("x_min", {nullptr, nullptr})})),
+                     {"error: /boundary_conditions/0/velocity"}));
 }
 
 // Bodies and the grid.
@@ -284,7 +286,7 @@ TEST(AskedFor, VelocityAlongTheRadius) {
 
 TEST(AskedFor, ConditionsOnTheAxis) {
     Json json = axisymmetric_scene();
-    json["boundary_conditions"] = {velocity("x_min", {1, nullptr})};
+    json["boundary_conditions"] = Json::array({velocity("x_min", {1, nullptr})});
     EXPECT_TRUE(says(json, {"error: /boundary_conditions/0", "axis"}));
     json["boundary_conditions"] = {{{"type", "fixed"}, {"on", "x_min"}}};
     EXPECT_TRUE(says(json, {"warning: /boundary_conditions/0/on", "\"slip\""}));
@@ -343,7 +345,8 @@ TEST(AskedFor, ErrorOfNothingIsNotZero) {
         run->advance();
     }
     EXPECT_FALSE(run->error());
-    EXPECT_EQ(run->warnings().size(), 1U);
+    ASSERT_FALSE(run->warnings().empty());
+    EXPECT_NE(run->warnings().back().find("/exact_solution"), std::string::npos) << run->warnings().back();
 }
 
 TEST(AskedFor, CheckpointsThatAreNeverDueAreTold) {

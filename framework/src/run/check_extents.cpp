@@ -45,9 +45,11 @@ class Extent {
             tolerance_[a] = 1e-6 * static_cast<double>(parts.patch.cell_size()[a]) +
                             4 * static_cast<double>(std::numeric_limits<typename S::Real>::epsilon()) *
                                 std::max(std::abs(low_[a]), std::abs(high_[a]));
-            // What has no end is meant to be cut.
-            if (!std::isfinite(box_.min[a])) box_.min[a] = low_[a];
-            if (!std::isfinite(box_.max[a])) box_.max[a] = high_[a];
+            // What has no end, or goes on as its mirror image, is meant to be cut.
+            if (!std::isfinite(box_.min[a]) || is_plane_of_symmetry(parts, a, 0))
+                box_.min[a] = std::max(box_.min[a], low_[a]);
+            if (!std::isfinite(box_.max[a]) || is_plane_of_symmetry(parts, a, 1))
+                box_.max[a] = std::min(box_.max[a], high_[a]);
         }
     }
 
@@ -95,8 +97,7 @@ Findings check_extents(const SceneParts<S>& parts) {
         std::vector<std::string> faces;
         for (int axis = 0; axis < S::dimension; ++axis)
             for (int side = 0; side < 2; ++side)
-                if (!is_plane_of_symmetry(parts, axis, side) && extent.reaches_beyond(axis, side))
-                    faces.push_back(face_name(axis, side));
+                if (extent.reaches_beyond(axis, side)) faces.push_back(face_name(axis, side));
         if (faces.empty()) continue;
         findings.push_back(
             {true, join_pointer("/bodies", parts.bodies[b].body()) + "/geometry",

@@ -43,14 +43,17 @@ class Traction final : public Load<S> {
     void start(const Patch<S>&, std::span<Particles<S>> bodies) override {
         Particles<S>& particles = body(bodies);
         const double plane = face_.plane(particles);
-        double area = 0;
+        double area = 0, volume = 0;
         for (Index p = 0; p < particles.size(); ++p) {
             const double own = face_.initial_area(particles, p, plane, thickness_);
             particles.column(area_, 0)[p] = static_cast<Real>(own);
             area += own;
+            volume += static_cast<double>(particles.column(Field::volume)[p]);
         }
-        if (!(area > 0)) throw std::invalid_argument("the face has no area: it lies on the axis");
-        if (const double depth = face_.depth(particles); thickness_ > depth * (1 + 1e-6))
+        const double depth = face_.depth(particles);
+        if (!(area * depth > 1e-6 * volume))
+            throw std::invalid_argument("the face has no area: it lies on the axis");
+        if (thickness_ > depth * (1 + 1e-6))
             throw std::invalid_argument("the boundary layer is thicker than the body, which is " +
                                         std::to_string(depth) + " m from this face to the opposite one");
     }
