@@ -188,8 +188,8 @@ TEST_F(OutputTest, FilesOfAnEarlierRunGoAndOthersStay) {
         files.push_back(entry.path().filename().string());
     std::sort(files.begin(), files.end());
     EXPECT_EQ(files,
-              (std::vector<std::string>{"other_000000.vtp", "s.pvd", "s_00001.vtp", "s_000000.vtp",
-                                        "s_000000.vtu", "s_000001.vtp", "s_x_000000.vtp", "t_disk_000000.csv",
+              (std::vector<std::string>{"other_000000.vtp", "s.pvd", "s_000000.vtp", "s_000000.vtu",
+                                        "s_000001.vtp", "s_00001.vtp", "s_x_000000.vtp", "t_disk_000000.csv",
                                         "t_disk_000001.csv", "t_disk_notes.csv", "t_plane_000000.csv",
                                         "t_plane_000001.csv", "t_third_000003.csv", "t_times.csv"}));
     // One that resumes keeps what was before.
