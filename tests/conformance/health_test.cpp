@@ -185,7 +185,7 @@ TEST_F(Health, UslAtThreeQuartersOfAWavesTimeIsToldAtOnce) {
     const RunResult result = run(vibrating_bar());
     EXPECT_EQ(result.status, RunStatus::broke_down);
     EXPECT_EQ(summary().at("steps"), 0);
-    EXPECT_NE(result.reason.find("0.0442 s = 0.707 (of this integrator and shape function)"),
+    EXPECT_NE(result.reason.find("0.04419 s = 0.707 (of this integrator and shape function)"),
               std::string::npos)
         << result.reason;
 }
