@@ -1,4 +1,5 @@
-// Plugins with one mistake each; sdk_mistakes.sh looks at what the compiler says of them. Nothing here compiles.
+// Plugins with one mistake each; sdk_mistakes.sh looks at what the compiler says of them. Nothing here
+// compiles.
 #include <matpoint/geometry.hpp>
 #include <matpoint/load.hpp>
 #include <matpoint/output.hpp>

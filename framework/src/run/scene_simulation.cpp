@@ -295,15 +295,15 @@ void SceneSimulation<S>::guard_energy(double dt) const {
         throw Breakdown(describe_energy_gain({step_, time_, dt}, gain, given));
 }
 
-#define MATPOINT_INSTANTIATE(S)                                                    \
-    template SceneSimulation<S>::SceneSimulation(const Scene&, PluginCatalogue&);  \
-    template bool SceneSimulation<S>::finished() const;                            \
-    template void SceneSimulation<S>::advance();                                   \
-    template void SceneSimulation<S>::check_step();                                \
-    template void SceneSimulation<S>::measure_error();                             \
-    template std::optional<Json> SceneSimulation<S>::error() const;                \
-    template double SceneSimulation<S>::next_time_step() const;                    \
-    template long SceneSimulation<S>::estimated_steps() const;                     \
+#define MATPOINT_INSTANTIATE(S)                                                   \
+    template SceneSimulation<S>::SceneSimulation(const Scene&, PluginCatalogue&); \
+    template bool SceneSimulation<S>::finished() const;                           \
+    template void SceneSimulation<S>::advance();                                  \
+    template void SceneSimulation<S>::check_step();                               \
+    template void SceneSimulation<S>::measure_error();                            \
+    template std::optional<Json> SceneSimulation<S>::error() const;               \
+    template double SceneSimulation<S>::next_time_step() const;                   \
+    template long SceneSimulation<S>::estimated_steps() const;                    \
     template Conservation SceneSimulation<S>::conservation() const;
 MATPOINT_FOR_EACH_SPACE(MATPOINT_INSTANTIATE)
 
@@ -312,6 +312,11 @@ std::unique_ptr<Simulation> Simulation::create(const Scene& scene, PluginCatalog
         return with_space(scene.space, [&]<class S>() -> std::unique_ptr<Simulation> {
             return std::make_unique<SceneSimulation<S>>(scene, catalogue);
         });
+    } catch (const FormulaError& error) {
+        Diagnostics diagnostics;
+        for (const std::string& place : formula_places(scene.resolved, error.formula()))
+            diagnostics.add(scene.document.diagnostic(place, error.what()));
+        throw InputError(std::move(diagnostics));
     } catch (const ComponentFailure& failure) {
         if (failure.out_of_memory()) throw;
         Diagnostics diagnostics;
