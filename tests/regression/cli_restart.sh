@@ -15,7 +15,7 @@ refused() {
     says "$err" "${2:-${1%%=*}}: only the start of a run reads it"
 }
 refused /materials/rubber/density=2000
-says "$err" "it reads /materials/rubber/youngs_modulus, /materials/rubber/poissons_ratio"
+says "$err" "it reads /materials/rubber/type, /materials/rubber/youngs_modulus, /materials/rubber/poissons_ratio"
 refused /bodies/block/velocity='[1,0]'
 says "$err" "it reads /bodies/block/material"
 refused /bodies/block/particles_per_cell=9

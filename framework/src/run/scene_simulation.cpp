@@ -302,6 +302,7 @@ void SceneSimulation<S>::guard_energy(double dt) const {
     template void SceneSimulation<S>::check_step();                               \
     template void SceneSimulation<S>::measure_error();                            \
     template std::optional<Json> SceneSimulation<S>::error() const;               \
+    template double SceneSimulation<S>::crossing_time() const;                    \
     template double SceneSimulation<S>::next_time_step() const;                   \
     template long SceneSimulation<S>::estimated_steps() const;                    \
     template Conservation SceneSimulation<S>::conservation() const;

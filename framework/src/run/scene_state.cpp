@@ -235,7 +235,13 @@ void SceneSimulation<S>::restore(const CheckpointData& data) {
     load("last_time_step", last_time_step_);
     Numbers::visit(numbers_, load);
     Tally tally = engine_.tally();
-    visit_tally(tally, load);
+    visit_tally(tally, [&](const std::string& name, double& value) {
+        // A restart may have another condition, which has not held anything yet.
+        if (name.starts_with("reaction_") && !data.numbers.contains(name))
+            value = 0;
+        else
+            load(name, value);
+    });
     engine_.restore(tally);
     for (std::size_t k = 0; k < engine_.held().size(); ++k)
         if (const auto held = data.numbers.find(held_name(k)); held != data.numbers.end())
