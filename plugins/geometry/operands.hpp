@@ -36,6 +36,14 @@ class Operand {
         return guarded(*geometry_, "contains", [&] { return geometry_->contains(points); });
     }
 
+    std::vector<Intervals> along_x(std::span<const Eigen::Vector2d> lines, Interval within,
+                                   double step) const {
+        return guarded(*geometry_, "along_x", [&] { return geometry_->along_x(lines, within, step); });
+    }
+    std::vector<double> breaks(int axis) const {
+        return guarded(*geometry_, "breaks", [&] { return geometry_->breaks(axis); });
+    }
+
   private:
     std::shared_ptr<Geometry> geometry_;
 };
@@ -78,22 +86,22 @@ inline Intervals complement(const Intervals& intervals) {
 
 /// What `combine` makes of the operands' intervals along each line, the first with the second and so on.
 template <class Combine>
-std::vector<Intervals> combine_along_x(const std::vector<std::shared_ptr<Geometry>>& operands,
+std::vector<Intervals> combine_along_x(const std::vector<Operand>& operands,
                                        std::span<const Eigen::Vector2d> lines, Interval within, double step,
                                        const Combine& combine) {
-    std::vector<Intervals> combined = operands[0]->along_x(lines, within, step);
+    std::vector<Intervals> combined = operands[0].along_x(lines, within, step);
     for (std::size_t g = 1; g < operands.size(); ++g) {
-        const std::vector<Intervals> others = operands[g]->along_x(lines, within, step);
+        const std::vector<Intervals> others = operands[g].along_x(lines, within, step);
         for (std::size_t i = 0; i < lines.size(); ++i) combined[i] = combine(combined[i], others[i]);
     }
     return combined;
 }
 
 /// Those of all operands.
-inline std::vector<double> breaks_of(const std::vector<std::shared_ptr<Geometry>>& operands, int axis) {
+inline std::vector<double> breaks_of(const std::vector<Operand>& operands, int axis) {
     std::vector<double> all;
-    for (const auto& operand : operands) {
-        const std::vector<double> own = operand->breaks(axis);
+    for (const Operand& operand : operands) {
+        const std::vector<double> own = operand.breaks(axis);
         all.insert(all.end(), own.begin(), own.end());
     }
     return all;

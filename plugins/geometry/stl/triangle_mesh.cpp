@@ -162,18 +162,19 @@ void TriangleMesh::count_edges() {
                corners.begin();
     };
 
-    struct Use {
+    struct EdgeUse {
         std::ptrdiff_t low, high;
         int direction;
     };
-    std::vector<Use> uses;
+    std::vector<EdgeUse> uses;
     for (const Triangle& triangle : triangles_)
         for (std::size_t i = 0; i < 3; ++i) {
             const std::ptrdiff_t from = number(triangle[i]), to = number(triangle[(i + 1) % 3]);
             uses.push_back({std::min(from, to), std::max(from, to), from < to ? 1 : -1});
         }
-    std::sort(uses.begin(), uses.end(),
-              [](const Use& a, const Use& b) { return std::tie(a.low, a.high) < std::tie(b.low, b.high); });
+    std::sort(uses.begin(), uses.end(), [](const EdgeUse& a, const EdgeUse& b) {
+        return std::tie(a.low, a.high) < std::tie(b.low, b.high);
+    });
     for (std::size_t first = 0, last; first < uses.size(); first = last) {
         int turn = 0;
         for (last = first;
