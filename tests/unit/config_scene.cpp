@@ -17,7 +17,7 @@ TEST(scene, resolves_units_lists_and_defaults) {
     EXPECT_EQ(r["space"], (Json{{"dimension", 2}, {"mode", "plane_strain"}, {"precision", "double"}}));
     EXPECT_EQ(r["grid"]["max"], Json({2.0, 1}));
     EXPECT_EQ(r["grid"]["cell_size"], Json({0.1, 0.1}));
-    EXPECT_EQ(r["shape_function"], (Json{{"type", "linear"}}));
+    EXPECT_EQ(r["shape_function"], (Json{{"type", "linear"}, {"light_nodes", 0.1}}));
     EXPECT_EQ(r["integrator"], (Json{{"type", "musl"}}));
     EXPECT_EQ(r["time"], (Json{{"end", 0.01}, {"cfl", 0.4}}));
     EXPECT_DOUBLE_EQ(r["materials"]["rubber"]["youngs_modulus"].get<double>(), 4.2e6);
@@ -292,10 +292,11 @@ TEST(scene, refuses_outputs_that_write_one_file) {
 
 TEST(scene, tells_what_only_the_start_of_a_run_reads) {
     EXPECT_EQ(resolve().start_only,
-              (std::vector<std::string>{"/space", "/grid", "/materials/rubber/density",
-                                        "/bodies/disk/particles_per_cell", "/bodies/disk/velocity",
-                                        "/bodies/disk/geometry", "/bodies/plane/particles_per_cell",
-                                        "/bodies/plane/velocity", "/bodies/plane/geometry"}));
+              (std::vector<std::string>{
+                  "/space", "/grid", "/materials/rubber/density", "/bodies/disk/particles_per_cell",
+                  "/bodies/disk/seeding", "/bodies/disk/velocity", "/bodies/disk/overlaps",
+                  "/bodies/disk/geometry", "/bodies/plane/particles_per_cell", "/bodies/plane/seeding",
+                  "/bodies/plane/velocity", "/bodies/plane/overlaps", "/bodies/plane/geometry"}));
 }
 
 TEST(scene, warns_of_checkpoints_that_never_come) {

@@ -42,7 +42,7 @@ TEST(json_schema, refuses_broken_scenes) {
              "/materials/rubber/densty=1",
              "/bodies/disk/geometry/type=stl",
              "/bodies/plane/geometry/of/0/file=3",
-             "/bodies/plane/velocity/1/extra=3",
+             "/boundary_conditions/2/value/0/extra=3",
              "/boundary_conditions/0/on=w_min",
              "/boundary_conditions/1/value=3",
              "/outputs/0/every_steps=0",
@@ -114,14 +114,14 @@ TEST(describe, shows_a_kind) {
     const Kind& kind = *find_kind("output");
     EXPECT_EQ(describe_text(kind, catalogue),
               "output: Files written during a run\n"
-              "Types: csv\n"
+              "Types: csv, probe, tables\n"
               "\n"
               "Parameters of every type\n"
               "  every: a number > 0 (s); optional\n"
               "      Simulated time between outputs\n"
               "  every_steps: a whole number >= 1; optional\n"
               "      Steps between outputs\n");
-    EXPECT_EQ(describe_json(kind, catalogue)["types"], Json::array({"csv"}));
+    EXPECT_EQ(describe_json(kind, catalogue)["types"], Json::array({"csv", "probe", "tables"}));
     EXPECT_EQ(find_kind("matreial"), nullptr);
     EXPECT_EQ(kinds().size(), 11u);
 }

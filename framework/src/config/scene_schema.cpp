@@ -63,6 +63,7 @@ Schema body_schema() {
                     "that the body has the geometry's volume. centres: the whole part, if its centre is in "
                     "the geometry.",
              .default_value = "filled",
+             .start_only = true,
              .choices = {"filled", "centres"}})
         .add("velocity", ParameterType::profiles,
              {.unit = "m/s",
