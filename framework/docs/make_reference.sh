@@ -4,6 +4,7 @@ set -euo pipefail
 matpoint=$(realpath "$1")
 file=${2:-$(dirname "$0")/reference.md}
 unset MATPOINT_PLUGIN_PATH
+entry='^  ([$a-z0-9_]+) '
 
 {
     echo "# Components"
@@ -15,7 +16,7 @@ unset MATPOINT_PLUGIN_PATH
         if [[ $line =~ ^([a-z_]+):\ (.*)$ ]]; then
             kind=${BASH_REMATCH[1]}
             printf '\n## %s\n%s.\n' "$kind" "${BASH_REMATCH[2]}"
-        elif [[ $line =~ ^\ \ ([$a-z0-9_]+)\  ]]; then
+        elif [[ $line =~ $entry ]]; then
             printf '\n### %s\n```text\n' "${BASH_REMATCH[1]}"
             "$matpoint" describe "$kind/${BASH_REMATCH[1]}" </dev/null
             printf '```\n'

@@ -15,9 +15,10 @@ typename S::Vector present_half_size(const Particles<S>& particles, Index p) {
     return particles.vector(particles.has(Field::half_size) ? Field::half_size : Field::initial_half_size, p);
 }
 
-/// The force N_i(x_p + d) F (N) of a boundary particle on the nodes, where d reaches from the particle to the
-/// face. A stencil there may reach one node beyond those that have mass: what it gives to that one the kernel
-/// passes on to the nodes that it follows; what would be beyond goes to the others.
+/// The force N_i(x_p + d) F (N) of a boundary particle on the nodes that have mass, where d reaches from the
+/// particle to the face: the stencil of a particle whose shape does not reach the surface may end before it.
+/// Of particles that are points, a node with hardly any mass would turn the force into a velocity that does
+/// work on nothing; its part goes to the others too.
 template <class S>
 void add_at_surface(LoadContext<S>& context, const Face<S>& face, const Particles<S>& particles, Index p,
                     const typename S::Vector& force) {
@@ -27,14 +28,14 @@ void add_at_surface(LoadContext<S>& context, const Face<S>& face, const Particle
     half[face.axis()] = 0;
     const auto stencil = context.shape.stencil(patch, face.surface_point(particles, p), half);
     const Real* mass = patch.column(NodeField::mass);
-    const auto has_mass = [&](int i) { return i >= 0 && mass[i] > Real(0); };
+    // A particle's domain reaches to the surface, and its stress is in balance with the force at every node.
+    const bool reaches_surface = particles.has(Field::half_size);
+    const Real least = reaches_surface ? Real(0) : static_cast<Real>(0.01) * particles.column(Field::mass)[p];
     std::vector<std::pair<int, Real>> nodes;
     Real sum = 0;
     for (std::size_t k = 0; k < stencil.nodes.size(); ++k) {
-        auto inner = stencil.nodes[k];
-        inner[static_cast<std::size_t>(face.axis())] -= static_cast<int>(face.sign());
         const int i = patch.node_index(stencil.nodes[k]);
-        if (i < 0 || !(has_mass(i) || has_mass(patch.node_index(inner)))) continue;
+        if (i < 0 || !(mass[i] > least)) continue;
         nodes.emplace_back(i, stencil.weights[k]);
         sum += stencil.weights[k];
     }

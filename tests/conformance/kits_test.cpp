@@ -57,7 +57,7 @@ long about_waves(const std::vector<std::string>& texts, const std::string& part)
 TEST(Kits, AWaveSpeedThatIsTooLowIsToldOnce) {
     EXPECT_EQ(about_waves(failures(1), "wave speed"), 0);
     const std::vector<std::string> texts = failures(0.2);
-    EXPECT_EQ(about_waves(texts, "wave speed too low: 0.4 m/s where waves run at "), 1);
+    EXPECT_EQ(about_waves(texts, "wave speed too low: 0.4"), 1) << testing::PrintToString(texts);
     EXPECT_LE(texts.size(), 4U);
     EXPECT_EQ(about_waves(failures(-1), "wave speed of -2 m/s"), 1);
 }

@@ -21,6 +21,7 @@ Json spinning_square() {
         "transfer": {"type": "apic"},
         "integrator": {"type": "musl"},
         "time": {"end": 1e9, "cfl": 0.4},
+        "health": {"energy_gain": 1e9},
         "materials": {"rubber": {"type": "neo_hookean", "density": 1, "youngs_modulus": 400, "poissons_ratio": 0.3}},
         "bodies": {"square": {"material": "rubber", "velocity": ["1.75 - y", "x - 1.75"],
                               "geometry": {"type": "box", "min": [1, 1], "max": [2.5, 2.5]}}}

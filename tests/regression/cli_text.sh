@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # Names that are not UTF-8: used where they can be, told where they can't.
+export LC_ALL=C  # bytes that are no characters
 source "$(dirname "$0")/expect.bash"
 
 value() { python3 -c 'import json, sys; print(json.load(open(sys.argv[1]))[sys.argv[2]])' "$@"; }

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
 
@@ -63,7 +65,8 @@ class StudyRecommendation : public ::testing::Test {
     }
 
     Registry registry_;
-    fs::path folder_ = fs::temp_directory_path() / "matpoint_recommendation_test";
+    fs::path folder_ =
+        fs::temp_directory_path() / ("matpoint_recommendation_test_" + std::to_string(getpid()));
 };
 
 TEST_F(StudyRecommendation, ASceneThatAsksForNothingGetsNothing) {

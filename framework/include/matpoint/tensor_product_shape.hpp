@@ -460,6 +460,9 @@ class TensorProductShape : public ShapeFunction<S> {
             Lanes inertia(0);
             for (int k = 0; k < W; ++k)
                 inertia += to.slope[a][k] * (Lanes(k) - s[a]) * Lanes(patch.cell_size()[a]);
+            // A particle on a node has none, but for rounding.
+            const Lanes least(Real(1e-12) * patch.cell_size()[a] * patch.cell_size()[a]);
+            inertia = select(inertia > least, inertia, Lanes(0));
             for (Lanes& moment : to.slope[a]) moment *= inverse_or_zero(inertia);
         }
     }

@@ -15,8 +15,9 @@ Schema with_light_nodes() {
     return Schema().number(
         "light_nodes",
         {.doc =
-             "Nodes with less than this share of a full node's mass follow heavier neighbours; 0: none does",
-         .default_value = 0.1,
+             "Nodes with less than this share of a full node's mass follow heavier neighbours; 0: none does; "
+             "not with a transfer that extends velocities to the nodes",
+         .default_value = 0,
          .at_least = 0,
          .at_most = 0.1});
 }

@@ -152,7 +152,8 @@ void remove_numbered(const std::filesystem::path& folder, const std::string& bef
         if (name.size() < before.size() + after.size() + end.size()) continue;
         const std::string number =
             name.substr(before.size(), name.size() - before.size() - after.size() - end.size());
-        if (std::regex_match(number, digits) && std::stoull(number) >= first) found.push_back(entry.path());
+        if (std::regex_match(number, digits) && std::stoull(number) >= first && !entry.is_symlink())
+            found.push_back(entry.path());
     }
     for (const std::filesystem::path& file : found) std::filesystem::remove(file);
 }

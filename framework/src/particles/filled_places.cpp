@@ -30,7 +30,7 @@ int rule_parts(const CellLattice<S>& lattice) {
     if (S::dimension == 1) return 1;
     const double places = double(lattice.size(1)) * lattice.size(2);
     return S::dimension == 2 ? static_cast<int>(std::clamp(4096 / places, 2.0, 64.0))
-                             : static_cast<int>(std::clamp(std::sqrt(2048 / places), 1.0, 8.0));
+                             : static_cast<int>(std::clamp(std::sqrt(8192 / places), 1.0, 8.0));
 }
 
 }  // namespace

@@ -295,6 +295,10 @@ Assembly<S> assemble(const Scene& scene, const Registry& registry) {
         geometries.push_back(maker.make<Geometry>("geometry", join_pointer("/bodies", name) + "/geometry"));
     maker.throw_if_errors();
 
+    if (components.light_nodes > 0 && components.transfer->affine())
+        maker.mistake("/shape_function/light_nodes",
+                      "goes with a transfer that leaves particles' velocities as they are, \"flip\" without "
+                      "\"gradient_enhanced\": what another one extends to light nodes would grow");
     Patch<S>& patch = components.grid->patch();
     for (std::size_t a = 0; a < S::dimension; ++a)
         if (patch.cells()[a] + 1 < components.shape->width())

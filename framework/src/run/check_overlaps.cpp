@@ -220,7 +220,7 @@ Findings check_overlaps(const SceneParts<S>& parts) {
             findings.push_back(
                 {false, join_pointer("/bodies", other) + "/geometry",
                  fmt::format(
-                     "overlaps with body \"{0}\": {1:.2g} m{2} are filled by both, {3:.2g} % of the smaller "
+                     "overlaps with body \"{0}\": {1:.2g} m{2} are filled by both, {3:.3g} % of the smaller "
                      "one, and have the mass of both. If that is meant, say \"overlaps\": \"{0}\"",
                      one, volume,
                      S::dimension == 1                       ? ""

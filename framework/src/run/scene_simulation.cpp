@@ -291,7 +291,8 @@ template <class S>
 void SceneSimulation<S>::guard_energy(double dt) const {
     const double gain = energies().total() - numbers_.first_energy;
     const double given = std::max(numbers_.given_energy, given_energy());
-    if (step_ >= settling_steps && gain > most_gain_ * given)
+    // Where nothing was given there may be stress from before, whose energy nobody knows.
+    if (step_ >= settling_steps && given > 0 && gain > most_gain_ * given)
         throw Breakdown(describe_energy_gain({step_, time_, dt}, gain, given));
 }
 

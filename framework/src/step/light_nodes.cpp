@@ -12,17 +12,22 @@ constexpr double lead_ratio = 8;
 
 enum State : char { leads, waits, follows };
 
+/// Of a node's mass to what it has within the grid's faces.
+template <class S>
+double mirrored(const Patch<S>& patch, const typename Patch<S>::Coordinates& node) {
+    double parts = 1;
+    for (std::size_t a = 0; a < S::dimension; ++a)
+        if (node[a] == 0 || node[a] == patch.cells()[a]) parts *= 2;
+    return parts;
+}
+
 }  // namespace
 
 /// kg, of a node in the midst of the lightest body.
 template <class S>
 double LightNodes<S>::full_mass(const Patch<S>& patch, const Coordinates& node) const {
     double mass = density_;
-    for (int a = 0; a < S::dimension; ++a) {
-        const auto axis = static_cast<std::size_t>(a);
-        mass *= static_cast<double>(patch.cell_size()[a]);
-        if (node[axis] == 0 || node[axis] == patch.cells()[axis]) mass /= 2;  // half of it is within the grid
-    }
+    for (int a = 0; a < S::dimension; ++a) mass *= static_cast<double>(patch.cell_size()[a]);
     if constexpr (S::axisymmetric) {
         const auto h = static_cast<double>(patch.cell_size()[0]);
         mass *= 2 * std::numbers::pi * std::max(static_cast<double>(patch.node_position(node)[0]), h / 3);
@@ -72,19 +77,24 @@ bool LightNodes<S>::link(const Patch<S>& patch, int i, const std::vector<char>& 
                          const std::vector<unsigned char>& prescribed) {
     const Real* const mass = patch.column(NodeField::mass);
     const Coordinates node = patch.node_coordinates(i);
-    const auto own_mass = static_cast<double>(mass[i]);
-    const auto neighbour = [&](int axis, int steps) {
+    const double own_mass = static_cast<double>(mass[i]) * mirrored<S>(patch, node);
+    struct Neighbour {
+        int node = -1;
+        double mass = 0;
+    };
+    const auto neighbour = [&](int axis, int steps) -> Neighbour {
         Coordinates other = node;
         other[static_cast<std::size_t>(axis)] += steps;
         const int j = patch.node_index(other);
-        return j >= 0 && inside[static_cast<std::size_t>(j)] ? j : -1;
+        if (j < 0 || !inside[static_cast<std::size_t>(j)]) return {};
+        return {j, static_cast<double>(mass[j]) * mirrored<S>(patch, other)};
     };
-    const auto may_lead = [&](int j) {
-        if (j < 0) return false;
-        const auto place = static_cast<std::size_t>(j), own = static_cast<std::size_t>(i);
+    const auto may_lead = [&](const Neighbour& other) {
+        if (other.node < 0) return false;
+        const auto place = static_cast<std::size_t>(other.node), own = static_cast<std::size_t>(i);
         if (prescribed[own] != 0 && prescribed[place] != prescribed[own]) return false;
-        if (own_mass == 0 && mass[j] == Real(0)) return state_[place] == follows;
-        return static_cast<double>(mass[j]) >= lead_ratio * own_mass;
+        if (own_mass == 0 && other.mass == 0) return state_[place] == follows;
+        return other.mass >= lead_ratio * own_mass;
     };
 
     struct Lead {
@@ -96,17 +106,15 @@ bool LightNodes<S>::link(const Patch<S>& patch, int i, const std::vector<char>& 
     double heaviest = 0, sum = 0;
     for (int a = 0; a < S::dimension; ++a)
         for (const int side : {-1, 1}) {
-            const int near = neighbour(a, side);
+            const Neighbour near = neighbour(a, side), far = neighbour(a, 2 * side);
             if (!may_lead(near)) continue;
-            if (state_[static_cast<std::size_t>(near)] == waits) return false;
-            const int far = neighbour(a, 2 * side);
+            if (state_[static_cast<std::size_t>(near.node)] == waits) return false;
             const bool both = may_lead(far);
-            if (both && state_[static_cast<std::size_t>(far)] == waits) return false;
-            const double weight =
-                std::max(static_cast<double>(mass[near]), std::numeric_limits<double>::min());
+            if (both && state_[static_cast<std::size_t>(far.node)] == waits) return false;
+            const double weight = std::max(near.mass, std::numeric_limits<double>::min());
             heaviest = std::max(heaviest, weight);
             sum += weight;
-            leads_found[count++] = {near, both ? far : -1, weight};
+            leads_found[count++] = {near.node, both ? far.node : -1, weight};
         }
     if (count == 0) {
         if (own_mass > 0) state_[static_cast<std::size_t>(i)] = leads;
