@@ -119,8 +119,6 @@ class Registry {
             MATPOINT_FOR_EACH_SPACE(MATPOINT_ADD_FACTORY)
 #undef MATPOINT_ADD_FACTORY
             add(std::move(entry));
-        } else {
-            name_missing_functions<C<PlaneStrain>>();
         }
     }
     template <class C, class Interface>
@@ -129,8 +127,6 @@ class Registry {
             Entry entry{kind, std::move(type), C::schema(), plugin_, version_, {}};
             entry.make.fill([](const Parameters& p) { return std::make_shared<C>(p); });
             add(std::move(entry));
-        } else {
-            name_missing_functions<C>();
         }
     }
     std::shared_ptr<Component> make_component(const std::string& kind, const Json& own,

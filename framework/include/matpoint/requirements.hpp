@@ -27,6 +27,7 @@ consteval bool is_component() {
         whole,
         "a component overrides every function that its interface declares with `= 0`, with the same "
         "parameters and `const`; those that are missing are named below");
+    if constexpr (!whole) new C;  // the compiler names them
     constexpr bool made = !whole || std::is_constructible_v<C, const Parameters&>;
     static_assert(made,
                   "a component is made from its parameters: it has a public constructor "
@@ -36,12 +37,6 @@ consteval bool is_component() {
         return true;
     }
     return false;
-}
-
-/// For a class that can't be one: the compiler names the functions that an abstract one lacks.
-template <class C>
-void name_missing_functions() {
-    if constexpr (std::is_abstract_v<C>) new C;
 }
 
 }  // namespace matpoint
