@@ -40,6 +40,7 @@ void LightNodes<S>::locate(const Patch<S>& patch, const std::vector<char>& insid
                            const std::vector<unsigned char>& prescribed, bool loaded) {
     links_.clear();
     terms_.clear();
+    if (share_ == 0) return;
     constexpr auto all_components = static_cast<unsigned char>((1 << S::dimension) - 1);
     const Real* const mass = patch.column(NodeField::mass);
     const auto has_load = [&](int i) {
