@@ -125,7 +125,7 @@ std::string describe_energy_gain(const Moment& moment, double gain, double given
 std::string describe_energy_drift(double gain, double loss, double largest) {
     const bool gained = gain > loss;
     return fmt::format(
-        "{:.2g} % of the energy {} ({:.3g} of {:.3g} J): {} Shorter steps, a finer grid or another "
+        "{:.3g} % of the energy {} ({:.3g} of {:.3g} J): {} Shorter steps, a finer grid or another "
         "integrator "
         "or transfer keep it better; /health/energy_drift sets what is told.",
         100 * std::max(gain, loss) / largest, gained ? "came from nowhere" : "was lost", std::max(gain, loss),
