@@ -48,18 +48,21 @@ struct StencilLoops {
     /// Packs of a record, and the half that a pack belongs to.
     static constexpr int parts = record / Lanes::lanes;
     static constexpr int half_of(int part) { return part * Lanes::lanes / force_place; }
+    /// Whether a part has numbers that go with S itself: of force, the hoop stress alone does.
+    static constexpr bool has_value(int part) { return half_of(part) == 0 || S::axisymmetric; }
 
     /// What is sent in a pass; motion: mass and momentum.
     struct Sent {
         bool motion, affine, force;
 
-        constexpr bool uses(int part) const { return parts == 1 || (half_of(part) == 0 ? motion : force); }
-        /// Of force, the hoop stress alone goes with S itself.
-        constexpr bool uses_value(int part) const { return half_of(part) == 0 || S::axisymmetric; }
-        constexpr bool uses_flux(int part) const {
-            return parts == 1 ? affine || force : half_of(part) == 0 ? affine : force;
-        }
+        bool uses(int part) const { return parts == 1 || (half_of(part) == 0 ? motion : force); }
+        /// Whether anything is multiplied by slopes in a part.
+        bool uses_flux(int part) const { return parts == 1 ? affine || force : half_of(part) == 1 || affine; }
+        /// Whether the derivatives must be there: where one pack holds both halves, 0 must not meet a NaN.
+        bool uses_derivatives() const { return force || (parts == 1 && affine); }
     };
+    /// Which slopes the lanes of a pack are multiplied by: none, those of its own half, or those of force.
+    enum class Slopes { none, own, force };
 
     /// A pack of particles ready to be sent. Slopes take the weights' place on axis a in what flux[a] is
     /// multiplied by: of momentum (0) the moments S (x_i - x_p), of force (1) the derivatives.
@@ -83,12 +86,12 @@ struct StencilLoops {
                 for (int row = 0; row < rows; ++row)
                     row_product(weights, slopes, a, row).store(slope_product[half][a][row].data());
         }
-        /// The numbers of particle i that belong to the lanes of a part.
-        template <Sent sent>
-        static Lanes of_part(int part, Real motion, Real force) {
-            if (parts > 1) return Lanes(half_of(part) == 0 ? motion : force);
-            if (!sent.affine) return Lanes(force);
-            return sent.force ? head(Lanes(motion), force_place, Lanes(force)) : Lanes(motion);
+        /// The numbers of a particle that the lanes of a part are multiplied by.
+        template <int part, Slopes slopes>
+        static Lanes of_part(Real motion, Real force) {
+            if constexpr (slopes == Slopes::force) return Lanes(force);
+            if constexpr (parts > 1) return Lanes(motion);
+            return head(Lanes(motion), force_place, Lanes(force));
         }
     };
     using Columns = std::array<Lanes, record>;  ///< of records, a particle a lane
@@ -96,61 +99,76 @@ struct StencilLoops {
 #pragma GCC unroll 8  // or it becomes a call of memset's kind, which takes longer
         for (Lanes& column : columns) column = Lanes(0);
     }
-    template <Sent sent>
-    static void transpose_records(Columns& value, std::array<Columns, D>& flux, Senders& to) {
+    static void transpose_records(Sent sent, Columns& value, std::array<Columns, D>& flux, Senders& to) {
         const auto transpose = [](int part, Columns& columns, auto& records) {
             Lanes* const own = columns.data() + part * Lanes::lanes;
             Lanes::transpose(own);
             for (int i = 0; i < Lanes::lanes; ++i) own[i].store(records[i].data() + part * Lanes::lanes);
         };
         for (int part = 0; part < parts; ++part) {
-            if (sent.uses(part) && sent.uses_value(part)) transpose(part, value, to.value);
+            if (!sent.uses(part)) continue;
+            if (has_value(part)) transpose(part, value, to.value);
             if (sent.uses_flux(part))
                 for (int a = 0; a < D; ++a) transpose(part, flux[a], to.flux[a]);
         }
     }
 
     /// node += S value + sum_a (S with slopes on axis a) flux_a, of the i-th particle and the next, `count`
-    /// in all with the same stencil, for all its nodes, which begin at `nodes`. A node is read and written
-    /// once for both.
-    template <Sent sent, int count>
-    static void send(const Senders& from, int i, Real* nodes) {
-#pragma GCC unroll 4
-        for (int part = 0; part < parts; ++part) {
-            if (!sent.uses(part)) continue;
-            const auto load = [&](const auto& records, int p) {
-                return Lanes::load(records[i + p].data() + part * Lanes::lanes);
-            };
+    /// in all with the same stencil, for all its nodes, which begin at `nodes`.
+    template <int count>
+    static void send(Sent sent, const Senders& from, int i, Real* nodes) {
+        if constexpr (parts == 1) {
+            if (sent.affine)
+                send_part<0, Slopes::own, count>(from, i, nodes);
+            else if (sent.force)
+                send_part<0, Slopes::force, count>(from, i, nodes);
+            else
+                send_part<0, Slopes::none, count>(from, i, nodes);
+        } else {
+            if (sent.affine)
+                send_part<0, Slopes::own, count>(from, i, nodes);
+            else if (sent.motion)
+                send_part<0, Slopes::none, count>(from, i, nodes);
+            if (sent.force) send_part<1, Slopes::force, count>(from, i, nodes);
+        }
+    }
+
+    /// The same for the lanes of one part. A node is read and written once for all `count` particles.
+    template <int part, Slopes slopes, int count>
+    static void send_part(const Senders& from, int i, Real* nodes) {
+        constexpr bool flux = slopes != Slopes::none;
+        const auto load = [&](const auto& records, int p) {
+            return Lanes::load(records[i + p].data() + part * Lanes::lanes);
+        };
 #pragma GCC unroll 16
-            for (int row = 0; row < rows; ++row) {
-                Real* const first = nodes + row_place(row) * record + part * Lanes::lanes;
-                std::array<Lanes, count> along, across;
+        for (int row = 0; row < rows; ++row) {
+            Real* const first = nodes + row_place(row) * record + part * Lanes::lanes;
+            std::array<Lanes, count> along, across;
+#pragma GCC unroll 2
+            for (int p = 0; p < count; ++p) {
+                const Lanes product(from.product[row][i + p]);
+                along[p] = has_value(part) ? product * load(from.value, p) : Lanes(0);
+                if constexpr (!flux) continue;
+#pragma GCC unroll 2
+                for (int a = 1; a < D; ++a)
+                    along[p] = multiply_add(
+                        Senders::template of_part<part, slopes>(from.slope_product[0][a][row][i + p],
+                                                                from.slope_product[1][a][row][i + p]),
+                        load(from.flux[a], p), along[p]);
+                across[p] = product * load(from.flux[0], p);
+            }
+#pragma GCC unroll 4
+            for (int x = 0; x < W; ++x) {
+                Lanes sum = Lanes::load(first + x * record);
 #pragma GCC unroll 2
                 for (int p = 0; p < count; ++p) {
-                    const Lanes product(from.product[row][i + p]);
-                    along[p] = sent.uses_value(part) ? product * load(from.value, p) : Lanes(0);
-                    if (!sent.uses_flux(part)) continue;
-#pragma GCC unroll 2
-                    for (int a = 1; a < D; ++a)
-                        along[p] = multiply_add(
-                            Senders::template of_part<sent>(part, from.slope_product[0][a][row][i + p],
-                                                            from.slope_product[1][a][row][i + p]),
-                            load(from.flux[a], p), along[p]);
-                    across[p] = product * load(from.flux[0], p);
+                    sum = multiply_add(Lanes(from.weight[x][i + p]), along[p], sum);
+                    if constexpr (flux)
+                        sum = multiply_add(Senders::template of_part<part, slopes>(from.slope[0][x][i + p],
+                                                                                   from.slope[1][x][i + p]),
+                                           across[p], sum);
                 }
-#pragma GCC unroll 4
-                for (int x = 0; x < W; ++x) {
-                    Lanes sum = Lanes::load(first + x * record);
-#pragma GCC unroll 2
-                    for (int p = 0; p < count; ++p) {
-                        sum = multiply_add(Lanes(from.weight[x][i + p]), along[p], sum);
-                        if (sent.uses_flux(part))
-                            sum = multiply_add(Senders::template of_part<sent>(part, from.slope[0][x][i + p],
-                                                                               from.slope[1][x][i + p]),
-                                               across[p], sum);
-                    }
-                    sum.store(first + x * record);
-                }
+                sum.store(first + x * record);
             }
         }
     }

@@ -49,20 +49,7 @@ class TensorProductShape : public ShapeFunction<S> {
     void scatter(Patch<S>& patch, const Particles<S>& particles, Index begin, Index end,
                  const Scatter& what) const override {
         visit_tiles(patch, particles, begin, end, [&](const Tile<S>& tile, Index first, Index last) {
-            const bool motion = what.mass || what.momentum, affine = what.momentum && what.affine_slot >= 0;
-            const auto add = [&]<Sent sent>() {
-                scatter_tile<sent>(patch, tile, particles, first, last, end, what);
-            };
-            if (motion && affine && what.internal_force)
-                add.template operator()<Sent{true, true, true}>();
-            else if (motion && what.internal_force)
-                add.template operator()<Sent{true, false, true}>();
-            else if (motion && affine)
-                add.template operator()<Sent{true, true, false}>();
-            else if (motion)
-                add.template operator()<Sent{true, false, false}>();
-            else
-                add.template operator()<Sent{false, false, true}>();
+            scatter_tile(patch, tile, particles, first, last, end, what);
         });
     }
 
@@ -260,10 +247,12 @@ class TensorProductShape : public ShapeFunction<S> {
     // --- Particles to nodes ---------------------------------------------------------------------
 
     static constexpr int record = Loops::record;
-    template <Sent sent>
     MATPOINT_FLATTEN static void scatter_tile(Patch<S>& patch, const Tile<S>& tile,
                                               const Particles<S>& particles, Index first, Index last,
                                               Index end, const Scatter& what) {
+        const Sent sent{.motion = what.mass || what.momentum,
+                        .affine = what.momentum && what.affine_slot >= 0,
+                        .force = what.internal_force};
         alignas(64) std::array<Real, Tile<S>::nodes * record> nodes;
         tile.visit_rows([&](int place, Index) {
             for (int i = 0; i < row_length; i += 4) Loops::clear_records(nodes.data() + (place + i) * record);
@@ -275,14 +264,14 @@ class TensorProductShape : public ShapeFunction<S> {
             std::array<int, Lanes::lanes> places;
             locator.locate(particles, slice, places.data(), s);
             typename Loops::Senders from;
-            prepare<sent>(patch, particles, slice, s, what, from);
+            prepare(sent, patch, particles, slice, s, what, from);
             for (int k = 0; k < slice.count;) {
                 Real* const to = nodes.data() + places[k] * record;
                 if (k + 1 < slice.count && places[k + 1] == places[k]) {
-                    Loops::template send<sent, 2>(from, k, to);
+                    Loops::template send<2>(sent, from, k, to);
                     k += 2;
                 } else {
-                    Loops::template send<sent, 1>(from, k, to);
+                    Loops::template send<1>(sent, from, k, to);
                     k += 1;
                 }
             }
@@ -300,14 +289,13 @@ class TensorProductShape : public ShapeFunction<S> {
         });
     }
 
-    template <Sent sent>
-    static void prepare(const Patch<S>& patch, const Particles<S>& particles, const Slice& slice,
+    static void prepare(Sent sent, const Patch<S>& patch, const Particles<S>& particles, const Slice& slice,
                         const LaneVector& s, const Scatter& what, typename Loops::Senders& to) {
         Axes<Lanes> weights, derivatives, moments;
         weigh(patch, particles, slice, s, weights, derivatives);
         to.set_weights(weights);
-        if constexpr (sent.force) to.set_slopes(1, weights, derivatives);
-        if constexpr (sent.affine) {
+        if (sent.uses_derivatives()) to.set_slopes(1, weights, derivatives);
+        if (sent.affine) {
             find_moments(patch, weights, s, moments);
             to.set_slopes(0, weights, moments);
         }
@@ -316,17 +304,17 @@ class TensorProductShape : public ShapeFunction<S> {
         std::array<typename Loops::Columns, D> flux;
         Loops::clear(value);
         for (auto& own : flux) Loops::clear(own);
-        if constexpr (sent.motion) {
+        if (sent.motion) {
             const Lanes mass = slice.load(particles.column(Field::mass));
             value[Loops::mass_place] = mass;
             for (int c = 0; c < D; ++c) {
                 value[c] = mass * slice.load(particles.column(Field::velocity, c));
-                if constexpr (sent.affine)
+                if (sent.affine)
                     for (int a = 0; a < D; ++a)
                         flux[a][c] = mass * slice.load(particles.column(what.affine_slot, c + D * a));
             }
         }
-        if constexpr (sent.force) {
+        if (sent.force) {
             // f_i -= sum sigma grad S V [Wallstedt & Guilkey 2008, eq. 14]; axisymmetric: and, radially,
             // S V sigma_hoop / r.
             constexpr int component[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
@@ -339,7 +327,7 @@ class TensorProductShape : public ShapeFunction<S> {
                 value[Loops::force_place] =
                     volume * slice.load(stress[2]) / slice.load(particles.column(Field::position, 0));
         }
-        Loops::template transpose_records<sent>(value, flux, to);
+        Loops::transpose_records(sent, value, flux, to);
     }
 
     // --- Nodes to particles ---------------------------------------------------------------------
