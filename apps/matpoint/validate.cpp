@@ -28,7 +28,7 @@ std::string reason_for(const std::string& name) {
         case Field::volume:
         case Field::stress:
             return "always";
-        case Field::deformation_gradient:
+        case Field::displacement_gradient:
             return "a material or a domain that follows the deformation";
         case Field::velocity_gradient:
             return "an output of it";
@@ -40,6 +40,11 @@ std::string reason_for(const std::string& name) {
             return "a particle domain that follows the deformation";
         case Field::initial_position:
             return "displacements: outputs, checks, exact solutions";
+        case Field::position_remainder:
+        case Field::initial_position_remainder:
+        case Field::velocity_remainder:
+        case Field::volume_remainder:
+            return "what single precision rounds away";
         case Field::id:
             return "messages about a particle, and the order of outputs";
     }

@@ -17,7 +17,7 @@ template <class S>
 class Face {
   public:
     using Real = typename S::Real;
-    using Vector = typename S::Vector;
+    using Position = typename S::Position;
 
     explicit Face(const std::string& name) : axis_(name[0] - 'x'), sign_(name.ends_with("max") ? 1 : -1) {}
 
@@ -54,8 +54,7 @@ class Face {
         for (int a = 0; a < S::dimension; ++a)
             if (a != axis_) area *= 2 * half_size(particles, p, a);
         if constexpr (S::axisymmetric) {
-            const double radius =
-                axis_ == 0 ? plane : static_cast<double>(particles.column(Field::position, 0)[p]);
+            const double radius = axis_ == 0 ? plane : particles.value(Field::position, 0, p);
             area *= 2 * std::numbers::pi * radius;
         }
         return area;
@@ -65,7 +64,7 @@ class Face {
     /// bar's area stays, 1.
     Real area_stretch(const Particles<S>& particles, Index p) const {
         if constexpr (S::dimension == 1) return 1;
-        const Tensor<S> f = ParticleBatch<S>::load_deformation(particles, p);
+        const Tensor<S> f = ParticleBatch<S>::load_deformation_gradient(particles, p);
         if constexpr (S::dimension == 2) return f.plane.col(1 - axis_).norm() * f.normal;
         if constexpr (S::dimension == 3)
             return f.plane.col((axis_ + 1) % 3).cross(f.plane.col((axis_ + 2) % 3)).norm();
@@ -73,12 +72,13 @@ class Face {
     }
 
     /// x_p + d: the vector d from the particle to the boundary is half its size at the start, F d after.
-    Vector surface_point(const Particles<S>& particles, Index p) const {
-        const Real half = static_cast<Real>(sign_ * half_size(particles, p, axis_));
-        if (!particles.has(Field::deformation_gradient))
-            return particles.position(p) + half * Vector::Unit(axis_);
-        return particles.position(p) +
-               half * ParticleBatch<S>::load_deformation(particles, p).plane.col(axis_);
+    Position surface_point(const Particles<S>& particles, Index p) const {
+        Position direction = Position::Unit(axis_);
+        if (particles.has(Field::displacement_gradient))
+            direction += ParticleBatch<S>::load_displacement_gradient(particles, p)
+                             .plane.col(axis_)
+                             .template cast<double>();
+        return particles.position(p) + sign_ * half_size(particles, p, axis_) * direction;
     }
 
   private:
@@ -86,8 +86,7 @@ class Face {
         return static_cast<double>(particles.column(Field::initial_half_size, axis)[p]);
     }
     double side(const Particles<S>& particles, Index p) const {
-        return static_cast<double>(particles.column(Field::position, axis_)[p]) +
-               sign_ * half_size(particles, p, axis_);
+        return particles.value(Field::position, axis_, p) + sign_ * half_size(particles, p, axis_);
     }
 
     int axis_;

@@ -55,7 +55,7 @@ template <class S>
 void update_stress(benchmark::State& state, const Json& json) {
     const auto material = make<Material, S>("material", json);
     Cloud<S> cloud;
-    if (material->uses_deformation_gradient()) cloud.particles.require(Field::deformation_gradient);
+    if (material->uses_deformation_gradient()) cloud.particles.require(Field::displacement_gradient);
     const int first_state = cloud.particles.field_count();
     for (const StateVariable& variable : material->state())
         cloud.particles.require(variable.name, 1, variable.initial);
@@ -88,7 +88,7 @@ void order(benchmark::State& state, const Json& json) {
     Patch<S> patch({0, 0, 0}, {1, 1, 1}, {edge + 2, edge + 2, edge + 2});
     std::vector<Particles<S>> bodies;
     bodies.emplace_back("block");
-    bodies[0].require(Field::deformation_gradient);
+    bodies[0].require(Field::displacement_gradient);
     bodies[0].resize(count);
     std::mt19937 random(1);
     std::uniform_real_distribution<typename S::Real> place(1, edge + 1);

@@ -15,7 +15,7 @@ from runs import block_of, run_scene
 SCENE, FEW, MANY = "block_quadratic", 49, 97
 THREADS = 2
 MOVING = {"/time/max_steps": 12, "/bodies/block/velocity": [15, 10, 5]}  # by two cells: particles are sorted more than once
-GRID = 26  # bytes a particle: ten numbers a node and two bytes of what it is, and blocks with nodes that no particle reaches
+GRID = 30  # bytes a particle: ten numbers a node, six bytes of what it is and who follows it, and blocks with nodes that no particle reaches
 ROWS = 34  # of a file of points, with what was seeded of each: while particles are made from them; the grid comes later
 
 

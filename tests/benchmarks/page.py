@@ -24,10 +24,10 @@ PEERS = {
 BANDWIDTH = 21  # GB/s of one core of that machine
 
 # Numbers of a particle in 3D that a pass reads or writes, by field; the first pass is project, the second update.
-COMPONENTS = {"position": 3, "velocity": 3, "mass": 1, "volume": 1, "stress": 6, "deformation_gradient": 9}
+COMPONENTS = {"position": 3, "velocity": 3, "mass": 1, "volume": 1, "stress": 6, "displacement_gradient": 9}
 PROJECT_READS = ["position", "velocity", "mass", "volume", "stress"]
 UPDATE_READS = list(COMPONENTS)
-UPDATE_WRITES = ["position", "velocity", "volume", "stress", "deformation_gradient"]
+UPDATE_WRITES = ["position", "velocity", "volume", "stress", "displacement_gradient"]
 # A node is set to zero, added to, turned into velocities, and read: six times its numbers, and 1/8 node a particle.
 NODE_NUMBERS, NODE_PASSES, NODES_PER_PARTICLE = 10, 6, 1 / 8
 

@@ -13,13 +13,14 @@ template <class S>
 class Tent final : public ShapeFunction<S> {
   public:
     using typename ShapeFunction<S>::Vector;
+    using typename ShapeFunction<S>::Position;
     using typename ShapeFunction<S>::Real;
     using typename ShapeFunction<S>::Coordinates;
     using typename ShapeFunction<S>::Stencil;
 
     int width() const override { return 2; }
     void base_nodes(const Patch<S>&, const Particles<S>&, Index, Index, Coordinates*) const override {}
-    Coordinates base_node(const Patch<S>&, const Particles<S>&, const Vector&) const override { return {}; }
+    Coordinates base_node(const Patch<S>&, const Particles<S>&, const Position&) const override { return {}; }
     void scatter(Patch<S>&, const Particles<S>&, Index, Index, const Scatter&) const override {}
     void gather(const Patch<S>&, const Particles<S>&, Index, Index, const Gather&,
                 GatherSink<S>&) const override {}
@@ -31,8 +32,8 @@ class Tent final : public ShapeFunction<S> {
                     patch.column(field, a)[patch.node_index(s.nodes[k])] += s.weights[k] * source.value[a];
         }
     }
-    Stencil stencil(const Patch<S>& patch, const Vector& position, const Vector&) const override {
-        const Vector cells = (position - patch.min()).cwiseQuotient(patch.cell_size());
+    Stencil stencil(const Patch<S>& patch, const Position& position, const Vector&) const override {
+        const Position cells = (position - patch.min()).cwiseQuotient(patch.cell_size());
         Stencil s;
         for (int corner = 0; corner < 1 << S::dimension; ++corner) {
             Coordinates node;
@@ -40,7 +41,7 @@ class Tent final : public ShapeFunction<S> {
             for (int a = 0; a < S::dimension; ++a) {
                 const int upper = corner >> a & 1;
                 node[static_cast<std::size_t>(a)] = static_cast<int>(std::floor(cells[a])) + upper;
-                const Real part = cells[a] - std::floor(cells[a]);
+                const auto part = static_cast<Real>(cells[a] - std::floor(cells[a]));
                 weight *= upper ? part : 1 - part;
             }
             s.nodes.push_back(node);
@@ -60,7 +61,7 @@ struct Block {
 
     explicit Block(const Json& own, bool deforms = false) : load(make<Load<S>>("load", own)) {
         Particles<S>& particles = bodies[0];
-        if (deforms) particles.require(Field::deformation_gradient);
+        if (deforms) particles.require(Field::displacement_gradient);
         for (auto& body : bodies) load->declare(body);
         if (!particles.has(Field::initial_half_size)) particles.require(Field::initial_half_size);
         particles.resize(d == 1 ? 10 : d == 2 ? 40 : 80);
@@ -73,7 +74,7 @@ struct Block {
                     static_cast<Real>((a == 0 ? 1 : 0.25) + (static_cast<double>(place[a]) + 0.5) * size[a]);
                 volume *= static_cast<Real>(size[a]);
             }
-            if (S::axisymmetric) volume *= static_cast<Real>(2 * std::numbers::pi) * particles.position(p)[0];
+            if (S::axisymmetric) volume *= static_cast<Real>(2 * std::numbers::pi * particles.position(p)[0]);
             particles.column(Field::mass)[p] = particles.column(Field::volume)[p] = volume;
         }
         std::vector<int> all;
@@ -108,14 +109,13 @@ struct Block {
     double centre(int component, int axis) const {
         double sum = 0;
         for (Index i = 0; i < patch.node_count(); ++i)
-            sum +=
-                static_cast<double>(patch.column(NodeField::external_force, component)[i] *
-                                    patch.node_position(patch.node_coordinates(static_cast<int>(i)))[axis]);
+            sum += static_cast<double>(patch.column(NodeField::external_force, component)[i]) *
+                   patch.node_position(patch.node_coordinates(static_cast<int>(i)))[axis];
         return sum / force(component);
     }
     void deform(const typename S::Matrix& f) {
         for (Index p = 0; p < bodies[0].size(); ++p)
-            for (int c = 0; c < d * d; ++c) bodies[0].column(Field::deformation_gradient, c)[p] = f.data()[c];
+            ParticleBatch<S>::store_displacement_gradient(bodies[0], p, {f - S::Matrix::Identity()});
     }
 
     static constexpr double size[] = {0.1, 0.125, 0.25};

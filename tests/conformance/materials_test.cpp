@@ -10,6 +10,11 @@ namespace {
 
 class EveryMaterial : public testing::TestWithParam<std::string> {};
 
+template <class S>
+class InSinglePrecision : public testing::Test {};
+using SinglePrecision = testing::Types<BarSingle, PlaneStrainSingle, AxisymmetricSingle, SolidSingle>;
+TYPED_TEST_SUITE(InSinglePrecision, SinglePrecision);
+
 /// With the parameters of the plugin's example.
 TEST_P(EveryMaterial, Conforms) {
     const auto example = std::filesystem::path(PLUGIN_SOURCES) / "material" / GetParam() / "example.json";
@@ -308,6 +313,40 @@ TEST(J2Plasticity, WorksWithNoYieldStressAndWithAHugeOne) {
     EXPECT_NEAR(stress.plane(0, 0), trace(stress) / 3, 1e-3);
     EXPECT_NEAR((rigid.stress() - reference.stress()).plane.norm(), 0, 1e-3);
     EXPECT_EQ(rigid.state(0), 0);
+}
+
+/// Stress and energy of the same displacement gradients in single and in double precision, relative to what
+/// they are at most, however small the strains are.
+template <class S>
+void expect_digits_of_small_strains(const Json& own) {
+    using Wide = Space<S::dimension, S::mode, double>;
+    const auto material = make<Material<S>>("material", own);
+    const auto reference = make<Material<Wide>>("material", own);
+    std::mt19937 random{5};
+    for (double size = 1e-10; size < 1e-2; size *= 10) {
+        Specimen<S> s(*material);
+        Specimen<Wide> exact(*reference);
+        for (int k = 0; k < 4; ++k) {
+            const Tensor<S> gradient = static_cast<float>(size) * random_tensor<S>(random);
+            Tensor<Wide> wide;
+            wide.plane = gradient.plane.template cast<double>();
+            if constexpr (S::has_normal) wide.normal = gradient.normal;
+            s.step(gradient);
+            exact.step(wide);
+        }
+        const typename Wide::Matrix off = s.stress().plane.template cast<double>() - exact.stress().plane;
+        EXPECT_LE(off.norm(), 1e-5 * exact.stress().plane.norm()) << own.at("type") << ", strain " << size;
+        if (const auto energy = s.stored_energy()) {
+            EXPECT_NEAR(*energy, *exact.stored_energy(), 1e-5 * *energy)
+                << own.at("type") << ", strain " << size;
+        }
+    }
+}
+
+TYPED_TEST(InSinglePrecision, SmallStrainsKeepTheirDigits) {
+    for (const Json& own :
+         {elastic("neo_hookean"), elastic("linear_elastic"), small_strain(), plastic(1e10, 0)})
+        expect_digits_of_small_strains<TypeParam>(own);
 }
 
 TEST(J2Plasticity, RefusesATangentSteeperThanTheElasticSlope) {

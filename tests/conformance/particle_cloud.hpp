@@ -48,13 +48,13 @@ class ParticleCloud {
         fill(Field::stress, S::stress_size, -1, 1);
         fill(Field::velocity_gradient, d * d, -1, 1);
         for (int a = 0; a < d; ++a) {
-            const double h = static_cast<double>(patch.cell_size()[a]);
+            const double h = patch.cell_size()[a];
             if (particles.has(Field::initial_half_size))
                 fill_column(Field::initial_half_size, a, 0.1 * h, 0.45 * h);
             if (particles.has(Field::half_size))
                 fill_column(Field::half_size, a, 0.1 * h, 0.45 * h * stretch);
-            if (particles.has(Field::deformation_gradient))
-                fill_column(Field::deformation_gradient, a * (d + 1), 0.7, stretch);
+            if (particles.has(Field::displacement_gradient))
+                fill_column(Field::displacement_gradient, a * (d + 1), -0.3, stretch - 1);
         }
     }
 
@@ -64,7 +64,7 @@ class ParticleCloud {
     }
     /// From a particle to a node, m.
     Vector arm(const typename Patch<S>::Coordinates& node, Index p) const {
-        return patch_.node_position(node) - particles.position(p);
+        return (patch_.node_position(node) - particles.position(p)).template cast<Real>();
     }
 
     Particles<S> particles;
@@ -76,8 +76,8 @@ class ParticleCloud {
     void place(Index p, bool crowded) {
         for (int a = 0; a < d; ++a) {
             const double cells = patch_.cells()[static_cast<std::size_t>(a)];
-            const Real xi = crowded ? random(2.55, 3.45) : random(1e-3, cells - 1e-3);
-            particles.column(Field::position, a)[p] = patch_.min()[a] + xi * patch_.cell_size()[a];
+            const double xi = crowded ? random(2.55, 3.45) : random(1e-3, cells - 1e-3);
+            particles.set_value(Field::position, a, p, patch_.min()[a] + xi * patch_.cell_size()[a]);
         }
     }
     void fill_column(Field field, int component, double low, double high) {
@@ -96,7 +96,8 @@ class ParticleCloud {
 template <class S, class Function>
 void set_nodes(Patch<S>& patch, NodeField field, const Function& f) {
     for (int i = 0; i < static_cast<int>(patch.node_count()); ++i) {
-        const typename S::Vector value = f(patch.node_position(patch.node_coordinates(i)));
+        const auto x = patch.node_position(patch.node_coordinates(i));
+        const typename S::Vector value = f(typename S::Vector(x.template cast<typename S::Real>()));
         for (int c = 0; c < S::dimension; ++c) patch.column(field, c)[i] = value[c];
     }
 }

@@ -22,7 +22,7 @@ class Specimen {
 
     explicit Specimen(const Material<S>& material, Index count = 1)
         : material_(&material), particles_("specimen"), states_(material.state()) {
-        if (material.uses_deformation_gradient()) particles_.require(Field::deformation_gradient);
+        if (material.uses_deformation_gradient()) particles_.require(Field::displacement_gradient);
         for (std::size_t k = 0; k < states_.size(); ++k) {
             const int slot = particles_.require(states_[k].name, 1, states_[k].initial);
             if (k == 0) first_state_ = slot;
@@ -30,11 +30,13 @@ class Specimen {
         particles_.resize(count);
         std::fill_n(particles_.column(Field::mass), count, static_cast<Real>(material.density()));
         std::fill_n(particles_.column(Field::volume), count, Real(1));
-        deformation_.assign(static_cast<std::size_t>(count), Tensor<S>::identity());
+        displacement_gradients_.resize(static_cast<std::size_t>(count));
     }
 
     Particles<S>& particles() { return particles_; }
-    const Tensor<S>& deformation(Index p = 0) const { return deformation_[static_cast<std::size_t>(p)]; }
+    Tensor<S> deformation(Index p = 0) const {
+        return Tensor<S>::identity() + displacement_gradients_[static_cast<std::size_t>(p)];
+    }
     Real density(Index p = 0) const {
         return particles_.column(Field::mass)[p] / particles_.column(Field::volume)[p];
     }
@@ -43,19 +45,17 @@ class Specimen {
 
     /// All particles: F = (I + gradient) F.
     void step(const Tensor<S>& gradient) {
-        const auto n = static_cast<std::size_t>(particles_.size());
-        step(std::vector<Tensor<S>>(n, gradient), std::vector<Tensor<S>>(n, Tensor<S>::identity() + gradient),
-             batch_size);
+        step(std::vector<Tensor<S>>(static_cast<std::size_t>(particles_.size()), gradient), batch_size);
     }
-    /// One of each for every particle, in batches of `extent`.
-    void step(const std::vector<Tensor<S>>& gradients, const std::vector<Tensor<S>>& increments,
-              Index extent) {
+    /// One for every particle, in batches of `extent`.
+    void step(const std::vector<Tensor<S>>& gradients, Index extent) {
         for (Index p = 0; p < particles_.size(); ++p) {
-            Tensor<S>& f = deformation_[static_cast<std::size_t>(p)];
-            f = increments[static_cast<std::size_t>(p)] * f;
-            particles_.column(Field::volume)[p] = determinant(f);
-            if (particles_.has(Field::deformation_gradient))
-                ParticleBatch<S>::store_deformation(particles_, p, f);
+            const Tensor<S>& gradient = gradients[static_cast<std::size_t>(p)];
+            Tensor<S>& h = displacement_gradients_[static_cast<std::size_t>(p)];
+            h = h + (gradient + gradient * h);
+            particles_.column(Field::volume)[p] = 1 + volume_change(h);
+            if (particles_.has(Field::displacement_gradient))
+                ParticleBatch<S>::store_displacement_gradient(particles_, p, h);
         }
         for_each_batch(extent, [&](Index begin, Index end) {
             for (Index p = begin; p < end; ++p)
@@ -92,7 +92,7 @@ class Specimen {
     const Material<S>* material_;
     Particles<S> particles_;
     std::vector<StateVariable> states_;
-    std::vector<Tensor<S>> deformation_;
+    std::vector<Tensor<S>> displacement_gradients_;
     Gathered<S> gathered_{};
     int first_state_ = 0;
 };

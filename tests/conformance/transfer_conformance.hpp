@@ -95,7 +95,7 @@ class TransferChecks {
         int reached = 0;
         for (int i = 0; i < static_cast<int>(patch_.node_count()); ++i) {
             if (!(patch_.column(NodeField::mass)[i] > Real(0.01))) continue;
-            const Vector exact = field(patch_.node_position(patch_.node_coordinates(i)));
+            const Vector exact = field(node_position(i));
             EXPECT_LE((node(NodeField::velocity, i) - exact).norm(), tolerance);
             ++reached;
         }
@@ -153,8 +153,10 @@ class TransferChecks {
     template <class Function>
     void set_particles(const Function& velocity, const Matrix& gradient) {
         for (Index p = 0; p < size(); ++p) {
-            const Vector v = velocity(cloud_.particles.position(p));
+            const Vector v = velocity(cloud_.particles.vector(Field::position, p));
             for (int c = 0; c < d; ++c) cloud_.particles.column(Field::velocity, c)[p] = v[c];
+            if (cloud_.particles.has(Field::velocity_remainder))
+                for (int c = 0; c < d; ++c) cloud_.particles.column(Field::velocity_remainder, c)[p] = 0;
             if (!transfer_.affine()) continue;
             for (int c = 0; c < d * d; ++c)
                 cloud_.particles.column(*transfer_.affine(), c)[p] = gradient.data()[c];
@@ -198,6 +200,9 @@ class TransferChecks {
         for (int c = 0; c < d; ++c) v[c] = patch_.column(field, c)[i];
         return v;
     }
+    Vector node_position(int i) const {
+        return patch_.node_position(patch_.node_coordinates(i)).template cast<Real>();
+    }
     Vector momentum() const {
         Vector sum = Vector::Zero();
         for (Index p = 0; p < size(); ++p)
@@ -214,8 +219,7 @@ class TransferChecks {
     std::vector<double> node_angular_momentum() const {
         std::vector<double> sum(static_cast<std::size_t>(d * (d - 1) / 2));
         for (int i = 0; i < static_cast<int>(patch_.node_count()); ++i) {
-            const Vector x = patch_.node_position(patch_.node_coordinates(i)),
-                         v = node(NodeField::velocity, i);
+            const Vector x = node_position(i), v = node(NodeField::velocity, i);
             std::size_t k = 0;
             for (int a = 0; a < d; ++a)
                 for (int b = a + 1; b < d; ++b)

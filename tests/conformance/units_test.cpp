@@ -99,8 +99,32 @@ Json moved(double distance) {
     return scene;
 }
 
-/// Positions are kept from the origin, so their rounding is that of the distance: 1e6 m away 1e-10 m, a
-/// billionth of a cell. What that does to velocity and stress:
+class EveryShape : public testing::TestWithParam<Json> {};
+
+/// In single precision a place is told from a node of its block, and what is rounded away is kept: 1e5 cells
+/// from the origin is as good as there.
+TEST_P(EveryShape, FarFromTheOriginIsNoFurtherInSinglePrecision) {
+    Json here = moved(0), away = moved(1e4);
+    for (Json* scene : {&here, &away}) (*scene)["shape_function"] = GetParam();
+    away["space"]["precision"] = "single";
+    Simulated exact(here), single(away);
+    exact.advance(steps);
+    single.advance(steps);
+    EXPECT_LT(deviation(exact, single, "velocity", 1), 1e-4);
+    EXPECT_LT(deviation(exact, single, "stress", 1), 1e-4);
+}
+
+INSTANTIATE_TEST_SUITE_P(FarFromTheOrigin, EveryShape,
+                         testing::Values(Json{{"type", "linear"}}, Json{{"type", "gimp"}},
+                                         Json{{"type", "bspline"}, {"order", 2}},
+                                         Json{{"type", "bspline"}, {"order", 3}}),
+                         [](const auto& shape) {
+                             return shape.param.at("type").template get<std::string>() +
+                                    (shape.param.contains("order") ? shape.param.at("order").dump() : "");
+                         });
+
+/// Positions are kept from the origin, so their rounding is that of the distance: in double precision 1e6 m
+/// away 1e-10 m, a billionth of a cell. What that does to velocity and stress:
 TEST(FarFromTheOrigin, CostsTheDigitsOfTheDistance) {
     Simulated here(moved(0)), away(moved(1e6));
     here.advance(steps);

@@ -17,7 +17,8 @@ TEST(scene, resolves_units_lists_and_defaults) {
     EXPECT_EQ(r["space"], (Json{{"dimension", 2}, {"mode", "plane_strain"}, {"precision", "double"}}));
     EXPECT_EQ(r["grid"]["max"], Json({2.0, 1}));
     EXPECT_EQ(r["grid"]["cell_size"], Json({0.1, 0.1}));
-    EXPECT_EQ(r["shape_function"], (Json{{"type", "linear"}, {"light_nodes", 0}}));
+    EXPECT_EQ(r["grid"]["light_nodes"], 0.1);
+    EXPECT_EQ(r["shape_function"], (Json{{"type", "linear"}}));
     EXPECT_EQ(r["integrator"], (Json{{"type", "musl"}}));
     EXPECT_EQ(r["time"], (Json{{"end", 0.01}, {"cfl", 0.4}}));
     EXPECT_DOUBLE_EQ(r["materials"]["rubber"]["youngs_modulus"].get<double>(), 4.2e6);

@@ -68,6 +68,21 @@ TYPED_TEST(PackTest, logarithms_and_powers_are_within_four_units_in_the_last_pla
     }
 }
 
+TYPED_TEST(PackTest, the_logarithm_of_what_is_near_1_keeps_the_digits_of_the_difference) {
+    using P = TypeParam;
+    using R = typename P::Real;
+    for (double size = 1e-30; size < 1; size *= 1.7)
+        for (const double side : {-0.9, 0.9}) {
+            P a;
+            for (int i = 0; i < P::lanes; ++i) a.set(i, static_cast<R>(side * size / (1 + i)));
+            const P found = log1p(a);
+            for (int i = 0; i < P::lanes; ++i) {
+                const auto exact = static_cast<R>(std::log1p(static_cast<long double>(a[i])));
+                EXPECT_NEAR(found[i], exact, 6 * std::numeric_limits<R>::epsilon() * std::abs(exact)) << a[i];
+            }
+        }
+}
+
 TYPED_TEST(PackTest, multiply_add_rounds_once_or_twice_but_never_by_chance) {
     using P = TypeParam;
     using R = typename P::Real;

@@ -15,11 +15,12 @@ class BoundaryCondition : public Component {
   public:
     using Space = S;
     using Vector = typename S::Vector;
+    using Position = typename S::Position;
 
     /// Which components of velocity are prescribed at nodes of a face normal to `axis`; -1: a region.
     virtual std::array<bool, 3> prescribes(int axis) const = 0;
     /// The velocity, m/s; components that are not prescribed are ignored. Time in s.
-    virtual Vector velocity(const Vector&, double) const { return Vector::Zero(); }
+    virtual Vector velocity(const Position&, double) const { return Vector::Zero(); }
 };
 
 }  // namespace matpoint

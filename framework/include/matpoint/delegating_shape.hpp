@@ -10,6 +10,7 @@ template <class S>
 class DelegatingShape : public ShapeFunction<S> {
   public:
     using typename ShapeFunction<S>::Vector;
+    using typename ShapeFunction<S>::Position;
     using typename ShapeFunction<S>::Coordinates;
     using typename ShapeFunction<S>::Stencil;
 
@@ -20,7 +21,7 @@ class DelegatingShape : public ShapeFunction<S> {
         shape_of(particles).base_nodes(patch, particles, begin, end, out);
     }
     Coordinates base_node(const Patch<S>& patch, const Particles<S>& particles,
-                          const Vector& position) const override {
+                          const Position& position) const override {
         return shape_of(particles).base_node(patch, particles, position);
     }
     void scatter(Patch<S>& patch, const Particles<S>& particles, Index begin, Index end,
@@ -34,7 +35,7 @@ class DelegatingShape : public ShapeFunction<S> {
     void spread(Patch<S>& patch, std::span<const PointSource<S>> sources, NodeField field) const override {
         widest().spread(patch, sources, field);
     }
-    Stencil stencil(const Patch<S>& patch, const Vector& position, const Vector& half_size) const override {
+    Stencil stencil(const Patch<S>& patch, const Position& position, const Vector& half_size) const override {
         return widest().stencil(patch, position, half_size);
     }
 

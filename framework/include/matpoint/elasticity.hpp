@@ -83,13 +83,19 @@ MATPOINT_INLINE Tensor<S, T> hypoelastic_stress(const Lame<S>& lame, const Tenso
     return rotated_stress(stress + half, middle, dt) + half;
 }
 
-/// Largest eigenvalue of F F^T in the plane, the square of the largest stretch there: exact in 1D and 2D, an
-/// upper bound in 3D [Wolkowicz & Styan 1980]; independent of rotation.
+/// F F^T - I = H + H^T + H H^T of F = I + H: twice the strain where that is small, which F F^T rounds away.
 template <class S, class T>
-MATPOINT_INLINE T largest_squared_stretch(const Tensor<S, T>& f) {
+MATPOINT_INLINE Tensor<S, T> squared_strain(const Tensor<S, T>& displacement_gradient) {
+    const Tensor<S, T> transposed = transpose(displacement_gradient);
+    return displacement_gradient + transposed + displacement_gradient * transposed;
+}
+
+/// Largest eigenvalue of a symmetric tensor in the plane: exact in 1D and 2D, an upper bound in 3D
+/// [Wolkowicz & Styan 1980]; independent of rotation.
+template <class S, class T>
+MATPOINT_INLINE T largest_eigenvalue(const Tensor<S, T>& b) {
     using std::sqrt;
     constexpr typename S::Real d = S::dimension;
-    const Tensor<S, T> b = f * transpose(f);
     T mean = b.plane(0, 0);
     for (int a = 1; a < S::dimension; ++a) mean += b.plane(a, a);
     mean /= T(d);
@@ -99,6 +105,12 @@ MATPOINT_INLINE T largest_squared_stretch(const Tensor<S, T>& f) {
         for (int c = 0; c < a; ++c) off_diagonal = multiply_add(b.plane(a, c), b.plane(a, c), off_diagonal);
     }
     return mean + sqrt(T((d - 1) / d) * (diagonal + T(2) * off_diagonal));
+}
+
+/// That of F F^T, the square of the largest stretch.
+template <class S, class T>
+MATPOINT_INLINE T largest_squared_stretch(const Tensor<S, T>& f) {
+    return largest_eigenvalue(f * transpose(f));
 }
 
 /// (lambda + 2 mu) / rho, the square of the speed of pressure waves, m^2/s^2; E / rho in a bar.

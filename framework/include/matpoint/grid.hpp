@@ -28,7 +28,7 @@ template <class S>
 class Patch {
   public:
     using Real = typename S::Real;
-    using Vector = typename S::Vector;
+    using Position = typename S::Position;
     using Coordinates = std::array<int, S::dimension>;
     /// Nodes along a block's edge, a power of two; a block has 64 nodes in every dimension.
     static constexpr int block_shift = S::dimension == 1 ? 6 : S::dimension == 2 ? 3 : 2;
@@ -38,14 +38,14 @@ class Patch {
     /// `min`: lower corner, m; `cell_size` h per axis, m; `cells` per axis.
     Patch(const std::array<double, 3>& min, const std::array<double, 3>& cell_size, const Coordinates& cells);
 
-    const Vector& min() const { return min_; }
-    const Vector& cell_size() const { return cell_size_; }
-    const Vector& inverse_cell_size() const { return inverse_cell_size_; }
+    const Position& min() const { return min_; }
+    const Position& cell_size() const { return cell_size_; }
+    const Position& inverse_cell_size() const { return inverse_cell_size_; }
     const Coordinates& cells() const { return cells_; }
-    Vector node_position(const Coordinates& node) const {
-        Vector x;
+    Position node_position(const Coordinates& node) const {
+        Position x;
         for (int a = 0; a < S::dimension; ++a)
-            x[a] = min_[a] + static_cast<Real>(node[static_cast<std::size_t>(a)]) * cell_size_[a];
+            x[a] = min_[a] + node[static_cast<std::size_t>(a)] * cell_size_[a];
         return x;
     }
 
@@ -127,7 +127,7 @@ class Patch {
         int number = -1, slot = -1;
     };
 
-    Vector min_, cell_size_, inverse_cell_size_;
+    Position min_, cell_size_, inverse_cell_size_;
     Coordinates cells_, blocks_;
     std::vector<int> existing_;
     std::vector<Entry> table_;

@@ -29,7 +29,7 @@ class RunView {
     virtual std::vector<std::string> bodies() const = 0;
     virtual std::size_t particle_count(const std::string& body) const = 0;
     /// Names of the fields that particles of the body carry, and those computed when asked for:
-    /// "displacement", "density", "pressure", "von_mises_stress", "kinetic_energy".
+    /// "displacement", "deformation_gradient", "density", "pressure", "von_mises_stress", "kinetic_energy".
     virtual std::vector<std::string> fields(const std::string& body) const = 0;
     virtual int components(const std::string& body, const std::string& field) const = 0;
     /// A component of a field for all particles of a body in the order of their seeding (by id).

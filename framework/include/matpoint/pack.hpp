@@ -50,7 +50,7 @@ inline constexpr int native_lanes = std::min(8, register_bytes / static_cast<int
 
 /// Several numbers; arithmetic acts on all lanes. What is written for a type T with T(0.5), + - * /, <,
 /// select and the functions below works for a number and for a Pack, and gives the same bits for each lane as
-/// for the number; log, exp and pow may differ from it by a few units in the last place.
+/// for the number; log, log1p, exp and pow may differ from it by a few units in the last place.
 template <class R, int N = native_lanes<R>>
 class Pack {
     using Integer = std::conditional_t<sizeof(R) == 8, std::int64_t, std::int32_t>;
@@ -206,6 +206,11 @@ class Pack {
             return Pack(Lanes(Functions::log(typename Functions::Register(a.v_))));
         else
             return a.each([](R x) { return std::log(x); });
+    }
+    /// log(1 + a), however small a is: what 1 + a rounds away is put back to first order.
+    MATPOINT_INLINE friend Pack log1p(Pack a) {
+        const Pack sum = Pack(1) + a;
+        return log(sum) + (a - (sum - Pack(1))) * (Pack(1) / sum);
     }
     MATPOINT_INLINE friend Pack exp(Pack a) {
         if constexpr (Functions::exist)

@@ -51,6 +51,21 @@ class ParticlePack {
     MATPOINT_INLINE void store(Field field, int component, Number a) const {
         store(columns(field)[component], a);
     }
+    /// Adds to a number that may be far greater, and returns the sum. What single precision rounds away stays
+    /// in the field's remainder and is added the next time [Kahan 1965].
+    template <Field field>
+    MATPOINT_INLINE Number add(int component, Number increment) const {
+        Real* const column = columns(field)[component];
+        const Number before = load(column);
+        if constexpr (S::single) {
+            Real* const remainders = columns(*remainder_of(field))[component];
+            increment += load(remainders);
+            store(remainders, increment - ((before + increment) - before));
+        }
+        const Number sum = before + increment;
+        store(column, sum);
+        return sum;
+    }
     /// Where the columns of a field begin.
     MATPOINT_INLINE Real* const* columns(Field field) const { return particles().columns(field); }
 
@@ -59,19 +74,23 @@ class ParticlePack {
     MATPOINT_INLINE Number density() const { return mass() / volume(); }
     /// F at the end of the step (the material must ask for it: Material::uses_deformation_gradient).
     MATPOINT_INLINE Tensor<S, Number> deformation_gradient() const {
-        Real* const* const f = columns(Field::deformation_gradient);
+        return Tensor<S, Number>::identity() + displacement_gradient();
+    }
+    /// H = F - I, in which a small strain keeps all its digits: volume_change, squared_strain.
+    MATPOINT_INLINE Tensor<S, Number> displacement_gradient() const {
+        Real* const* const h = columns(Field::displacement_gradient);
         Tensor<S, Number> t;
-        for (int c = 0; c < plane_size; ++c) t.plane.data()[c] = load(f[c]);
+        for (int c = 0; c < plane_size; ++c) t.plane.data()[c] = load(h[c]);
         if constexpr (S::axisymmetric)
-            t.normal = load(f[plane_size]);
+            t.normal = load(h[plane_size]);
         else if constexpr (S::has_normal)
-            t.normal = Number(1);
+            t.normal = Number(0);
         return t;
     }
-    MATPOINT_INLINE void set_deformation_gradient(const Tensor<S, Number>& t) const {
-        Real* const* const f = columns(Field::deformation_gradient);
-        for (int c = 0; c < plane_size; ++c) store(f[c], t.plane.data()[c]);
-        if constexpr (S::axisymmetric) store(f[plane_size], t.normal);
+    MATPOINT_INLINE void set_displacement_gradient(const Tensor<S, Number>& t) const {
+        Real* const* const h = columns(Field::displacement_gradient);
+        for (int c = 0; c < plane_size; ++c) store(h[c], t.plane.data()[c]);
+        if constexpr (S::axisymmetric) store(h[plane_size], t.normal);
     }
     /// L of the step.
     MATPOINT_INLINE Tensor<S, Number> velocity_gradient() const {

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -24,15 +25,34 @@ enum class Field {
     mass,      ///< m, kg (of the whole ring when axisymmetric; per unit width in 1D and plane strain)
     volume,    ///< V, m^3 (likewise)
     stress,    ///< Cauchy stress, Pa; components as Space::stress_size says
-    deformation_gradient,  ///< F; components as Space::deformation_size says
-    velocity_gradient,     ///< L = dv/dx of the last stress update, 1/s; in-plane components by column
-    affine_velocity,       ///< C of the affine transfer, 1/s; likewise
-    half_size,             ///< half-lengths of the particle's domain at the start of the step, m
-    initial_half_size,     ///< the same at the start of the run
-    initial_position,      ///< X, m
-    id,                    ///< number given at seeding, from 0 in each body
+    displacement_gradient,  ///< H = F - I; components as Space::deformation_size says
+    velocity_gradient,      ///< L = dv/dx of the last stress update, 1/s; in-plane components by column
+    affine_velocity,        ///< C of the affine transfer, 1/s; likewise
+    half_size,              ///< half-lengths of the particle's domain at the start of the step, m
+    initial_half_size,      ///< the same at the start of the run
+    initial_position,       ///< X, m
+    // What single precision has rounded away; double precision has no such fields.
+    position_remainder,          ///< to be added to it
+    initial_position_remainder,  ///< likewise
+    volume_remainder,            ///< likewise
+    velocity_remainder,          ///< of what a transfer has added to the velocity; it adds it the next time
+    id,                          ///< number given at seeding, from 0 in each body
 };
 inline constexpr int known_fields = static_cast<int>(Field::id) + 1;
+
+/// The field that holds what single precision rounds away of another one, and belongs to its value.
+constexpr std::optional<Field> remainder_of(Field field) {
+    switch (field) {
+        case Field::position:
+            return Field::position_remainder;
+        case Field::initial_position:
+            return Field::initial_position_remainder;
+        case Field::volume:
+            return Field::volume_remainder;
+        default:
+            return {};
+    }
+}
 
 std::string_view field_name(Field field);
 std::optional<Field> field_from_name(std::string_view name);
@@ -61,7 +81,8 @@ class Particles {
     const std::string& body() const { return body_; }
     Index size() const { return size_; }
 
-    /// Asks for a field (before particles exist). Asking twice is the same as asking once.
+    /// Asks for a field (before particles exist). Asking twice is the same as asking once. In single
+    /// precision positions and volumes come with their remainders.
     void require(Field field);
     /// Adds a field of a component's own, by a name no other component uses; returns its slot.
     int require(const std::string& name, int components, double initial = 0);
@@ -89,7 +110,24 @@ class Particles {
     std::vector<std::uint32_t>& ids() { return ids_; }
     const std::vector<std::uint32_t>& ids() const { return ids_; }
 
-    typename S::Vector position(Index p) const { return vector(Field::position, p); }
+    /// A number of a field with its remainder, if it has one.
+    double value(Field field, int component, Index p) const {
+        auto value = static_cast<double>(column(field, component)[p]);
+        if (const auto rest = carried_remainder(field))
+            value += static_cast<double>(column(*rest, component)[p]);
+        return value;
+    }
+    void set_value(Field field, int component, Index p, double value) {
+        const Real rounded = column(field, component)[p] = static_cast<Real>(value);
+        if (const auto rest = carried_remainder(field))
+            column(*rest, component)[p] = static_cast<Real>(value - static_cast<double>(rounded));
+    }
+    /// x, or another field of positions.
+    typename S::Position position(Index p, Field field = Field::position) const {
+        typename S::Position x;
+        for (int a = 0; a < S::dimension; ++a) x[a] = value(field, a, p);
+        return x;
+    }
     typename S::Vector velocity(Index p) const { return vector(Field::velocity, p); }
     typename S::Vector vector(Field field, Index p) const {
         typename S::Vector v;
@@ -97,7 +135,7 @@ class Particles {
         return v;
     }
 
-    /// All columns get `n` entries; new ones hold the field's initial value (identity for F).
+    /// All columns get `n` entries; new ones hold the field's initial value.
     void resize(Index n);
     /// Puts particle order[k] at place k. `order` may be shorter than size(): the rest is dropped.
     void permute(std::span<const std::uint32_t> order);
@@ -114,6 +152,11 @@ class Particles {
         std::vector<double> initial;
     };
     int add(std::string name, std::vector<double> initial);
+    std::optional<Field> carried_remainder(Field field) const {
+        if constexpr (!S::single) return {};
+        const auto rest = remainder_of(field);
+        return rest && has(*rest) ? rest : std::nullopt;
+    }
     int column_count() const {
         return fields_.empty() ? 0 : fields_.back().first + fields_.back().components;
     }
@@ -126,6 +169,18 @@ class Particles {
     std::vector<std::uint32_t> ids_;
     bool has_ids_ = false;
 };
+
+/// The least position that the columns of Field::position may hold as x, rounded in single precision.
+template <class S>
+typename S::Position lowest_position(const typename S::Vector& x) {
+    typename S::Position lowest = x.template cast<double>();
+    if constexpr (S::single) lowest -= std::numeric_limits<typename S::Real>::epsilon() * lowest.cwiseAbs();
+    return lowest;
+}
+template <class S>
+typename S::Position highest_position(const typename S::Vector& x) {
+    return -lowest_position<S>(-x);
+}
 
 /// Most particles in a batch: its columns stay in the first-level cache.
 inline constexpr int batch_size = 64;
@@ -175,7 +230,9 @@ class ParticleBatch {
     Real density(Index p) const { return mass(p) / volume(p); }
 
     /// F at the end of the step (the material must ask for it: Material::uses_deformation_gradient).
-    Tensor<S> deformation_gradient(Index p) const { return load_deformation(*particles_, p); }
+    Tensor<S> deformation_gradient(Index p) const { return load_deformation_gradient(*particles_, p); }
+    /// H = F - I, exact where F is I but for rounding.
+    Tensor<S> displacement_gradient(Index p) const { return load_displacement_gradient(*particles_, p); }
     /// L of the step.
     Tensor<S> velocity_gradient(Index p) const {
         Tensor<S> t;
@@ -191,21 +248,22 @@ class ParticleBatch {
     /// The k-th of Material::state(), at particle p.
     Real& state(int k, Index p) const { return particles_->column(first_state_ + k, 0)[p]; }
 
-    static Tensor<S> load_deformation(const Particles<S>& particles, Index p) {
+    static Tensor<S> load_deformation_gradient(const Particles<S>& particles, Index p) {
+        return Tensor<S>::identity() + load_displacement_gradient(particles, p);
+    }
+    static Tensor<S> load_displacement_gradient(const Particles<S>& particles, Index p) {
         Tensor<S> t;
         for (int c = 0; c < S::dimension * S::dimension; ++c)
-            t.plane.data()[c] = particles.column(Field::deformation_gradient, c)[p];
+            t.plane.data()[c] = particles.column(Field::displacement_gradient, c)[p];
         if constexpr (S::axisymmetric)
-            t.normal = particles.column(Field::deformation_gradient, S::dimension * S::dimension)[p];
-        else if constexpr (S::has_normal)
-            t.normal = Real(1);
+            t.normal = particles.column(Field::displacement_gradient, S::dimension * S::dimension)[p];
         return t;
     }
-    static void store_deformation(Particles<S>& particles, Index p, const Tensor<S>& t) {
+    static void store_displacement_gradient(Particles<S>& particles, Index p, const Tensor<S>& t) {
         for (int c = 0; c < S::dimension * S::dimension; ++c)
-            particles.column(Field::deformation_gradient, c)[p] = t.plane.data()[c];
+            particles.column(Field::displacement_gradient, c)[p] = t.plane.data()[c];
         if constexpr (S::axisymmetric)
-            particles.column(Field::deformation_gradient, S::dimension * S::dimension)[p] = t.normal;
+            particles.column(Field::displacement_gradient, S::dimension * S::dimension)[p] = t.normal;
     }
     static Tensor<S> load_stress(const Particles<S>& particles, Index p) {
         const auto s = [&](int c) { return particles.column(Field::stress, c)[p]; };

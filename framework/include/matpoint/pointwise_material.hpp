@@ -22,7 +22,8 @@ namespace matpoint {
 ///
 /// What `update` shares with `squared_wave_speed` is computed once if that is called before set_stress.
 /// Both are plain arithmetic on p.deformation_gradient(), p.stress() … and typename Point::Number; instead of
-/// `if`, `select(condition, a, b)`.
+/// `if`, `select(condition, a, b)`. In single precision a strain of 1e-7 is lost beside the 1 of F: what is
+/// formed from p.displacement_gradient(), F - I, keeps it (volume_change, log1p, squared_strain).
 template <class S, class Law>
 class PointwiseMaterial : public Material<S> {
   public:

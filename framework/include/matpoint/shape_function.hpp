@@ -37,7 +37,7 @@ class GatherSink {
 /// A point that sends a vector to the nodes of its stencil (a load on a surface, say).
 template <class S>
 struct PointSource {
-    typename S::Vector position;
+    typename S::Position position;
     typename S::Vector half_size;  ///< of the domain it stands for; ignored by shapes without one
     typename S::Vector value;
 };
@@ -50,6 +50,7 @@ class ShapeFunction : public Component {
     using Space = S;
     using Real = typename S::Real;
     using Vector = typename S::Vector;
+    using Position = typename S::Position;
     using Coordinates = typename Patch<S>::Coordinates;
 
     /// Asks for the particle fields that the shape reads.
@@ -63,7 +64,7 @@ class ShapeFunction : public Component {
     virtual void base_nodes(const Patch<S>&, const Particles<S>&, Index begin, Index end,
                             Coordinates* out) const = 0;
     /// The same for a particle of this body at `position`; never less for a greater coordinate.
-    virtual Coordinates base_node(const Patch<S>&, const Particles<S>&, const Vector& position) const = 0;
+    virtual Coordinates base_node(const Patch<S>&, const Particles<S>&, const Position& position) const = 0;
     virtual void scatter(Patch<S>&, const Particles<S>&, Index begin, Index end, const Scatter&) const = 0;
     virtual void gather(const Patch<S>&, const Particles<S>&, Index begin, Index end, const Gather&,
                         GatherSink<S>&) const = 0;
@@ -76,7 +77,7 @@ class ShapeFunction : public Component {
         std::vector<Real> weights;
         std::vector<Vector> gradients;
     };
-    virtual Stencil stencil(const Patch<S>&, const Vector& position, const Vector& half_size) const = 0;
+    virtual Stencil stencil(const Patch<S>&, const Position& position, const Vector& half_size) const = 0;
 };
 
 }  // namespace matpoint

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 
 #include <string_view>
+#include <type_traits>
 
 namespace matpoint {
 
@@ -27,7 +28,10 @@ struct Space {
     static constexpr int stress_size = Dimension == 1 ? 1 : Dimension == 2 ? 4 : 6;
 
     using Real = R;
+    static constexpr bool single = std::is_same_v<R, float>;
     using Vector = Eigen::Matrix<R, Dimension, 1>;
+    /// Where something is, m: in double precision whatever R is, for far from the origin a cell is small.
+    using Position = Eigen::Matrix<double, Dimension, 1>;
     using Matrix = Eigen::Matrix<R, Dimension, Dimension>;
 };
 
@@ -58,7 +62,7 @@ struct SpaceId {
 
     template <class S>
     static constexpr SpaceId of() {
-        return {S::mode, sizeof(typename S::Real) == sizeof(float)};
+        return {S::mode, S::single};
     }
     constexpr int dimension() const { return mode == Mode::bar ? 1 : mode == Mode::solid ? 3 : 2; }
     static constexpr int count = 8;

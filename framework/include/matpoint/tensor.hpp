@@ -159,10 +159,36 @@ MATPOINT_INLINE T determinant(const Tensor<S, T>& a) {
         return plane_determinant(a);
 }
 
+/// det(I + H) - 1, the change of volume by a displacement gradient H, whatever small it is.
+template <class S, class T>
+MATPOINT_INLINE T volume_change(const Tensor<S, T>& h) {
+    T diagonal = h.plane(0, 0), rest(0);
+    for (int c = 1; c < S::dimension; ++c) diagonal += h.plane(c, c);
+    if constexpr (S::dimension > 1) rest = plane_determinant(h);
+    if constexpr (S::dimension == 3) {
+        const Tensor<S, T> cofactors = adjugate(h);
+        for (int c = 0; c < 3; ++c) rest += cofactors.plane(c, c);
+    }
+    const T change = diagonal + rest;
+    if constexpr (S::has_normal)
+        return multiply_add(change, h.normal, change + h.normal);
+    else
+        return change;
+}
+
 template <class S, class T>
 MATPOINT_INLINE Tensor<S, T> inverse(const Tensor<S, T>& a) {
     Tensor<S, T> t = (T(1) / plane_determinant(a)) * adjugate(a);
     if constexpr (S::has_normal) t.normal = T(1) / a.normal;
+    return t;
+}
+
+/// The same numbers of another precision.
+template <class T, class S, class From>
+Tensor<S, T> cast(const Tensor<S, From>& a) {
+    Tensor<S, T> t;
+    t.plane = a.plane.template cast<T>();
+    if constexpr (S::has_normal) t.normal = static_cast<T>(a.normal);
     return t;
 }
 

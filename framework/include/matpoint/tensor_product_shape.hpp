@@ -13,7 +13,7 @@ namespace matpoint {
 ///     struct Kernel {
 ///         static constexpr int width = 2;           // nodes that a particle reaches along an axis
 ///         static constexpr bool sized = false;      // whether it reads Field::half_size
-///         template <class T>                        // first of these nodes; xi = (x - min) / h
+///         template <class T>                        // first of these nodes; both in cells from any node
 ///         static T base(T xi);
 ///         template <class T>                        // s = xi - base, l / h
 ///         static void evaluate(T s, T half_size, T* weights, T* derivatives);  // per cell
@@ -27,6 +27,7 @@ class TensorProductShape : public ShapeFunction<S> {
   public:
     using typename ShapeFunction<S>::Real;
     using typename ShapeFunction<S>::Vector;
+    using typename ShapeFunction<S>::Position;
     using typename ShapeFunction<S>::Coordinates;
     using typename ShapeFunction<S>::Stencil;
 
@@ -42,7 +43,8 @@ class TensorProductShape : public ShapeFunction<S> {
         for (Index p = begin; p < end; ++p) *out++ = base_at(patch, particles.position(p));
     }
 
-    Coordinates base_node(const Patch<S>& patch, const Particles<S>&, const Vector& position) const override {
+    Coordinates base_node(const Patch<S>& patch, const Particles<S>&,
+                          const Position& position) const override {
         return base_at(patch, position);
     }
 
@@ -73,7 +75,7 @@ class TensorProductShape : public ShapeFunction<S> {
         }
     }
 
-    Stencil stencil(const Patch<S>& patch, const Vector& position, const Vector& half_size) const override {
+    Stencil stencil(const Patch<S>& patch, const Position& position, const Vector& half_size) const override {
         Axes<Real> weights, derivatives;
         const Coordinates base = evaluate_at(patch, position, half_size, weights, derivatives);
         Stencil stencil;
@@ -124,11 +126,11 @@ class TensorProductShape : public ShapeFunction<S> {
         for (int a = 0; a < D; ++a, k /= W) base[a] += k % W;
         return base;
     }
-    static int clamped_base(const Patch<S>& patch, int axis, Real xi) {
-        const auto last = static_cast<Real>(patch.cells()[axis] + 2 - W);
-        return static_cast<int>(std::min(std::max(Real(-1), Kernel::base(xi)), last));
+    static int clamped_base(const Patch<S>& patch, int axis, double xi) {
+        const double last = patch.cells()[axis] + 2 - W;
+        return static_cast<int>(std::min(std::max(-1.0, Kernel::base(xi)), last));
     }
-    static Coordinates base_at(const Patch<S>& patch, const Vector& position) {
+    static Coordinates base_at(const Patch<S>& patch, const Position& position) {
         Coordinates base;
         for (int a = 0; a < D; ++a)
             base[a] = clamped_base(patch, a, (position[a] - patch.min()[a]) * patch.inverse_cell_size()[a]);
@@ -168,7 +170,8 @@ class TensorProductShape : public ShapeFunction<S> {
             low[a] = -largest(-least);
             high[a] = largest(greatest);
         }
-        const Coordinates lowest = base_at(patch, low), highest = base_at(patch, high);
+        const Coordinates lowest = base_at(patch, lowest_position<S>(low));
+        const Coordinates highest = base_at(patch, highest_position<S>(high));
         if (tile.holds(lowest) && tile.holds(highest)) {
             tile.include(lowest);
             tile.include(highest);
@@ -182,23 +185,32 @@ class TensorProductShape : public ShapeFunction<S> {
         return end;
     }
 
-    /// Where particles are in a tile.
+    /// Where particles are in a tile. In single precision they are counted from a node of the tile, whose
+    /// distance is exact however far away the grid's first node is.
     class Locator {
       public:
         Locator(const Patch<S>& patch, const Tile<S>& tile) {
+            const Coordinates zero = S::single ? tile.lowest() : Coordinates{};
+            const Position from = patch.node_position(zero);
             for (int a = 0; a < D; ++a) {
-                min_[a] = Lanes(patch.min()[a]);
+                const auto rounded = static_cast<Real>(from[a]);
+                from_[a] = Lanes(rounded);
+                from_remainder_[a] = Lanes(from[a] - static_cast<double>(rounded));
                 scale_[a] = Lanes(patch.inverse_cell_size()[a]);
-                origin_[a] = Lanes(tile.origin()[a]);
-                lowest_[a] = Lanes(tile.lowest()[a]);
-                highest_[a] = Lanes(tile.highest()[a]);
+                origin_[a] = Lanes(tile.origin()[a] - zero[a]);
+                lowest_[a] = Lanes(tile.lowest()[a] - zero[a]);
+                highest_[a] = Lanes(tile.highest()[a] - zero[a]);
             }
         }
         /// Places in the tile of the first nodes of stencils, and positions from there, in cells.
         void locate(const Particles<S>& particles, const Slice& slice, int* places, LaneVector& s) const {
             Lanes place(0);
             for (int a = D - 1; a >= 0; --a) {
-                const Lanes xi = (slice.load(particles.column(Field::position, a)) - min_[a]) * scale_[a];
+                Lanes distance = slice.load(particles.column(Field::position, a)) - from_[a];
+                if constexpr (S::single)
+                    distance +=
+                        slice.load(particles.column(Field::position_remainder, a)) - from_remainder_[a];
+                const Lanes xi = distance * scale_[a];
                 const Lanes base = min(max(Kernel::base(xi), lowest_[a]), highest_[a]);
                 s[a] = xi - base;
                 place = multiply_add(place, Lanes(Tile<S>::edge), base - origin_[a]);
@@ -207,7 +219,7 @@ class TensorProductShape : public ShapeFunction<S> {
         }
 
       private:
-        LaneVector min_, scale_, origin_, lowest_, highest_;
+        LaneVector from_, from_remainder_, scale_, origin_, lowest_, highest_;
     };
 
     /// Weights and derivatives (1/m) of the slice.
@@ -223,13 +235,14 @@ class TensorProductShape : public ShapeFunction<S> {
         }
     }
 
-    static Coordinates evaluate_at(const Patch<S>& patch, const Vector& position, const Vector& half_size,
+    static Coordinates evaluate_at(const Patch<S>& patch, const Position& position, const Vector& half_size,
                                    Axes<Real>& weights, Axes<Real>& derivatives) {
         Coordinates base;
         for (int a = 0; a < D; ++a) {
-            const Real scale = patch.inverse_cell_size()[a], xi = (position[a] - patch.min()[a]) * scale;
+            const double xi = (position[a] - patch.min()[a]) * patch.inverse_cell_size()[a];
+            const auto scale = static_cast<Real>(patch.inverse_cell_size()[a]);
             base[a] = clamped_base(patch, a, xi);
-            Kernel::evaluate(xi - static_cast<Real>(base[a]), half_size[a] * scale, weights[a].data(),
+            Kernel::evaluate(static_cast<Real>(xi - base[a]), half_size[a] * scale, weights[a].data(),
                              derivatives[a].data());
             for (Real& derivative : derivatives[a]) derivative *= scale;
         }

@@ -12,14 +12,12 @@ Schema with_density() {
 }
 
 Schema with_light_nodes() {
-    return Schema().number(
-        "light_nodes",
-        {.doc =
-             "Nodes with less than this share of a full node's mass follow heavier neighbours; 0: none does; "
-             "not with a transfer that extends velocities to the nodes",
-         .default_value = 0,
-         .at_least = 0,
-         .at_most = 0.1});
+    return Schema().number("light_nodes", {.doc = "Nodes with less than this share of a full node's mass "
+                                                  "follow heavier neighbours; 0: none does, as "
+                                                  "in the papers",
+                                           .default_value = 0.1,
+                                           .at_least = 0,
+                                           .at_most = 0.1});
 }
 
 Schema with_place_and_name() {
@@ -67,8 +65,8 @@ Schema with_interval() {
 
 std::vector<Kind> make_kinds() {
     return {
-        {"grid", "grid", "Background grid", Schema()},
-        {"shape_function", "shape_function", "Grid basis and particle domain", with_light_nodes(), true},
+        {"grid", "grid", "Background grid", with_light_nodes()},
+        {"shape_function", "shape_function", "Grid basis and particle domain", Schema(), true},
         {"transfer", "transfer", "How velocity goes to the grid and back", Schema(), true},
         {"integrator", "integrator", "Order of the phases of a step", Schema(), true},
         {"material", "materials", "Constitutive model", with_density()},

@@ -22,9 +22,9 @@ Patch<S>::Patch(const std::array<double, 3>& min, const std::array<double, 3>& c
     double count = 1;
     for (std::size_t a = 0; a < S::dimension; ++a) {
         const auto i = static_cast<Eigen::Index>(a);
-        min_[i] = static_cast<Real>(min[a]);
-        cell_size_[i] = static_cast<Real>(cell_size[a]);
-        inverse_cell_size_[i] = static_cast<Real>(1 / cell_size[a]);
+        min_[i] = min[a];
+        cell_size_[i] = cell_size[a];
+        inverse_cell_size_[i] = 1 / cell_size[a];
         blocks_[a] = block_of(cells_[a] + 1) + 1;
         count *= blocks_[a];
     }

@@ -5,6 +5,7 @@ namespace matpoint {
 
 FieldShape field_shape(const std::string& field, int components, SpaceId space) {
     if (field == "displacement") return FieldShape::vector;
+    if (field == "deformation_gradient") return FieldShape::matrix;
     if (const auto known = field_from_name(field)) {
         switch (*known) {
             case Field::position:
@@ -12,15 +13,19 @@ FieldShape field_shape(const std::string& field, int components, SpaceId space) 
             case Field::half_size:
             case Field::initial_half_size:
             case Field::initial_position:
+            case Field::position_remainder:
+            case Field::initial_position_remainder:
+            case Field::velocity_remainder:
                 return FieldShape::vector;
             case Field::stress:
                 return FieldShape::symmetric;
-            case Field::deformation_gradient:
+            case Field::displacement_gradient:
             case Field::velocity_gradient:
             case Field::affine_velocity:
                 return FieldShape::matrix;
             case Field::mass:
             case Field::volume:
+            case Field::volume_remainder:
             case Field::id:
                 return FieldShape::scalar;
         }

@@ -42,8 +42,8 @@ template <class S>
 typename CellLattice<S>::Axis CellLattice<S>::make_axis(const Patch<S>& patch, const Geometry::Bounds& box,
                                                         int a, int per_cell) {
     Axis axis;
-    axis.min = static_cast<double>(patch.min()[a]);
-    axis.cell_size = static_cast<double>(patch.cell_size()[a]);
+    axis.min = patch.min()[a];
+    axis.cell_size = patch.cell_size()[a];
     const double cells = patch.cells()[static_cast<std::size_t>(a)];
     // One cell more on both sides, for the rounding of bounds that lie on a cell's face.
     const auto cell = [&](double bound, double more) {

@@ -16,7 +16,7 @@ Geometry::Bounds box_on_grid(const Patch<S>& patch, const Geometry& geometry) {
     Geometry::Bounds box = geometry.bounds();
     const auto last = patch.node_position(patch.cells());
     for (int a = 0; a < S::dimension; ++a) {
-        box.min[a] = std::max(box.min[a], static_cast<double>(patch.min()[a]));
+        box.min[a] = std::max(box.min[a], patch.min()[a]);
         box.max[a] = std::max(box.min[a], std::min(box.max[a], static_cast<double>(last[a])));
     }
     return box;
@@ -30,8 +30,7 @@ double most_particles(const Patch<S>& patch, const Geometry& geometry, const std
     const Geometry::Bounds box = box_on_grid(patch, geometry);
     double places = 1;
     for (int a = 0; a < S::dimension; ++a)
-        places *= (box.max[a] - box.min[a]) / static_cast<double>(patch.cell_size()[a]) *
-                  per_cell[static_cast<std::size_t>(a)];
+        places *= (box.max[a] - box.min[a]) / patch.cell_size()[a] * per_cell[static_cast<std::size_t>(a)];
     return places;
 }
 

@@ -13,12 +13,16 @@ constexpr std::array<std::string_view, known_fields> names = {"position",
                                                               "mass",
                                                               "volume",
                                                               "stress",
-                                                              "deformation_gradient",
+                                                              "displacement_gradient",
                                                               "velocity_gradient",
                                                               "affine_velocity",
                                                               "half_size",
                                                               "initial_half_size",
                                                               "initial_position",
+                                                              "position_remainder",
+                                                              "initial_position_remainder",
+                                                              "volume_remainder",
+                                                              "velocity_remainder",
                                                               "id"};
 
 template <class S>
@@ -27,21 +31,22 @@ std::vector<double> initial_values(Field field) {
     switch (field) {
         case Field::mass:
         case Field::volume:
+        case Field::volume_remainder:
             return {0};
         case Field::stress:
             return std::vector<double>(S::stress_size, 0);
-        case Field::deformation_gradient: {
-            std::vector<double> identity(S::deformation_size, 0);
-            for (std::size_t a = 0; a < d; ++a) identity[a * d + a] = 1;
-            if constexpr (S::axisymmetric) identity.back() = 1;
-            return identity;
-        }
+        case Field::displacement_gradient:
+            return std::vector<double>(S::deformation_size, 0);
         case Field::velocity_gradient:
         case Field::affine_velocity:
             return std::vector<double>(d * d, 0);
         default:
             return std::vector<double>(d, 0);
     }
+}
+
+bool is_remainder(Field field) {
+    return field >= Field::position_remainder && field <= Field::velocity_remainder;
 }
 
 }  // namespace
@@ -71,9 +76,10 @@ void Particles<S>::require(Field field) {
         return;
     }
     const auto i = static_cast<std::size_t>(field);
-    if (slots_[i] >= 0) return;
+    if (slots_[i] >= 0 || (is_remainder(field) && !S::single)) return;
     slots_[i] = add(std::string(field_name(field)), initial_values<S>(field));
     first_columns_[i] = fields_.back().first;
+    if (const auto rest = remainder_of(field)) require(*rest);
 }
 
 template <class S>

@@ -76,8 +76,7 @@ template <class S>
 bool on_grid(const Patch<S>& patch, const Eigen::Vector3d& position) {
     if (S::axisymmetric && position[0] <= 0) return false;
     for (int a = 0; a < S::dimension; ++a) {
-        const double cell =
-            (position[a] - static_cast<double>(patch.min()[a])) / static_cast<double>(patch.cell_size()[a]);
+        const double cell = (position[a] - patch.min()[a]) / patch.cell_size()[a];
         if (!(cell >= 0 && cell < patch.cells()[static_cast<std::size_t>(a)])) return false;
     }
     return true;
@@ -104,8 +103,7 @@ void expect_on_grid(const Patch<S>& patch, const Listed& listed, const std::stri
 template <class S>
 void set(Particles<S>& particles, Field field, Index p, const Eigen::Vector3d& value) {
     if (!particles.has(field)) return;
-    for (int a = 0; a < S::dimension; ++a)
-        particles.column(field, a)[p] = static_cast<typename S::Real>(value[a]);
+    for (int a = 0; a < S::dimension; ++a) particles.set_value(field, a, p, value[a]);
 }
 
 /// Sets one particle after the other. Pieces may be sown at the same time; velocities are not, because a
@@ -130,7 +128,7 @@ void sow(Particles<S>& particles, const Source& source, double density, const In
             set(particles, Field::velocity, p, point.velocity);
             set(particles, Field::half_size, p, half_size);
             set(particles, Field::initial_half_size, p, half_size);
-            particles.column(Field::volume)[p] = static_cast<Real>(point.volume);
+            particles.set_value(Field::volume, 0, p, point.volume);
             particles.column(Field::mass)[p] = static_cast<Real>(density * point.volume);
             ++p;
         });

@@ -135,13 +135,11 @@ void make_outputs(Maker& maker, std::vector<ScheduledOutput>& outputs) {
 
 /// A field of velocity gradients, from differences of the velocity at the start: exact for linear fields.
 template <class S, class Velocity>
-void set_initial_gradient(Particles<S>& particles, Field field, const Velocity& velocity,
-                          typename S::Real cell_size) {
-    const double reach = 1e-3 * static_cast<double>(cell_size);
+void set_initial_gradient(Particles<S>& particles, Field field, const Velocity& velocity, double cell_size) {
+    const double reach = 1e-3 * cell_size;
     for (Index p = 0; p < particles.size(); ++p) {
         Eigen::Vector3d x = Eigen::Vector3d::Zero();
-        for (int a = 0; a < S::dimension; ++a)
-            x[a] = static_cast<double>(particles.column(Field::position, a)[p]);
+        x.head<S::dimension>() = particles.position(p);
         for (int a = 0; a < S::dimension; ++a) {
             const Eigen::Vector3d step = reach * Eigen::Vector3d::Unit(a);
             const Eigen::Vector3d slope = (velocity(x + step) - velocity(x - step)) / (2 * reach);
@@ -185,17 +183,18 @@ void start_exactly(const ExactSolution& solution, Particles<S>& particles) {
     };
     for (Index p = 0; p < particles.size(); ++p) {
         Eigen::Vector3d reference = Eigen::Vector3d::Zero();
-        reference.head<S::dimension>() = particles.position(p).template cast<double>();
+        reference.head<S::dimension>() = particles.position(p);
         const Eigen::Vector3d u = solution.displacement(reference, 0), v = solution.velocity(reference, 0);
         const Eigen::Matrix3d f = solution.deformation_gradient(reference, 0);
         for (int a = 0; a < S::dimension; ++a) {
-            particles.column(Field::position, a)[p] += static_cast<Real>(u[a]);
+            particles.set_value(Field::position, a, p, reference[a] + u[a]);
             particles.column(Field::velocity, a)[p] = static_cast<Real>(v[a]);
         }
-        particles.column(Field::volume)[p] *= static_cast<Real>(f.determinant());
+        particles.set_value(Field::volume, 0, p, particles.value(Field::volume, 0, p) * f.determinant());
         ParticleBatch<S>::store_stress(particles, p, tensor(solution.stress(reference, 0)));
-        if (particles.has(Field::deformation_gradient))
-            ParticleBatch<S>::store_deformation(particles, p, tensor(f));
+        if (particles.has(Field::displacement_gradient))
+            ParticleBatch<S>::store_displacement_gradient(particles, p,
+                                                          tensor(f - Eigen::Matrix3d::Identity()));
     }
 }
 
@@ -204,7 +203,7 @@ template <class S>
 void set_exact_gradient(const ExactSolution& solution, Particles<S>& particles, Field field, double reach) {
     for (Index p = 0; p < particles.size(); ++p) {
         Eigen::Vector3d x = Eigen::Vector3d::Zero();
-        x.head<S::dimension>() = particles.vector(Field::initial_position, p).template cast<double>();
+        x.head<S::dimension>() = particles.position(p, Field::initial_position);
         Eigen::Matrix3d slope = Eigen::Matrix3d::Zero();
         for (int a = 0; a < S::dimension; ++a) {
             const Eigen::Vector3d step = reach * Eigen::Vector3d::Unit(a);
@@ -273,7 +272,7 @@ Assembly<S> assemble(const Scene& scene, const Registry& registry) {
     Components<S>& components = result.components;
     components.grid = maker.make<Grid<S>>("grid", "/grid");
     components.shape = maker.make<ShapeFunction<S>>("shape_function", "/shape_function");
-    components.light_nodes = maker.json("/shape_function").at("light_nodes").get<double>();
+    components.light_nodes = maker.json("/grid").at("light_nodes").get<double>();
     components.transfer = maker.make<Transfer<S>>("transfer", "/transfer");
     components.integrator = maker.make<Integrator<S>>("integrator", "/integrator");
     for (std::size_t k = 0; k < scene.resolved.at("loads").size(); ++k)
@@ -295,10 +294,6 @@ Assembly<S> assemble(const Scene& scene, const Registry& registry) {
         geometries.push_back(maker.make<Geometry>("geometry", join_pointer("/bodies", name) + "/geometry"));
     maker.throw_if_errors();
 
-    if (components.light_nodes > 0 && components.transfer->affine())
-        maker.mistake("/shape_function/light_nodes",
-                      "goes with a transfer that leaves particles' velocities as they are, \"flip\" without "
-                      "\"gradient_enhanced\": what another one extends to light nodes would grow");
     Patch<S>& patch = components.grid->patch();
     for (std::size_t a = 0; a < S::dimension; ++a)
         if (patch.cells()[a] + 1 < components.shape->width())
@@ -316,7 +311,7 @@ Assembly<S> assemble(const Scene& scene, const Registry& registry) {
         guarded(*components.transfer, "declare", [&] { components.transfer->declare(particles); });
         if (guarded(*material, "uses_deformation_gradient",
                     [&] { return material->uses_deformation_gradient(); }))
-            particles.require(Field::deformation_gradient);
+            particles.require(Field::displacement_gradient);
         for (const auto& load : components.loads)
             guarded(*load, "declare", [&] { load->declare(particles); });
         const bool exact = components.exact_solution && components.exact_solution->covers(name);
@@ -365,7 +360,7 @@ Assembly<S> assemble(const Scene& scene, const Registry& registry) {
         maker.attempt(join_pointer("/bodies", name) + "/velocity", [&] {
             for (Index p = 0; p < particles.size(); ++p) {
                 if (particles.velocity(p).allFinite()) continue;
-                const typename S::Vector x = particles.position(p);
+                const typename S::Position x = particles.position(p);
                 throw std::invalid_argument(fmt::format("is not finite at ({:.6g}), where a particle starts",
                                                         fmt::join(x.data(), x.data() + S::dimension, ", ")));
             }
@@ -397,8 +392,7 @@ Assembly<S> assemble(const Scene& scene, const Registry& registry) {
                 start_exactly(*solution, particles);
                 for (const Field field : {Field::velocity_gradient, Field::affine_velocity})
                     if (particles.has(field))
-                        set_exact_gradient(*solution, particles, field,
-                                           1e-3 * static_cast<double>(patch.cell_size()[0]));
+                        set_exact_gradient(*solution, particles, field, 1e-3 * patch.cell_size()[0]);
             });
         }
     maker.throw_if_errors();

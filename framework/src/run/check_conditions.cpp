@@ -79,7 +79,7 @@ class Conflict {
     }
 
     std::optional<std::string> difference(const Holding& region, const Holding& other,
-                                          const typename S::Vector& place) const {
+                                          const typename S::Position& place) const {
         using Real = typename S::Real;
         const BoundaryCondition<S>& a = *parts_.conditions[region.condition].condition;
         const BoundaryCondition<S>& b = *parts_.conditions[other.condition].condition;
@@ -121,14 +121,13 @@ bool holds_a_node(const Patch<S>& patch, const Geometry& region) {
 template <class S>
 bool reached(const SceneParts<S>& parts, const Geometry& region) {
     using Vector = typename S::Vector;
-    const Eigen::Vector3d reach = parts.shape.width() *
-                                  parts.patch.cell_size().template cast<double>().maxCoeff() *
-                                  Eigen::Vector3d::Ones();
+    const Eigen::Vector3d reach =
+        parts.shape.width() * parts.patch.cell_size().maxCoeff() * Eigen::Vector3d::Ones();
     const Eigen::Vector3d low = region.bounds().min - reach, high = region.bounds().max + reach;
     const auto touches = [&](const Particles<S>& particles, Index p) {
-        const Vector x = particles.position(p);
+        const typename S::Position x = particles.position(p);
         for (int a = 0; a < S::dimension; ++a)
-            if (!(static_cast<double>(x[a]) >= low[a] && static_cast<double>(x[a]) <= high[a])) return false;
+            if (!(x[a] >= low[a] && x[a] <= high[a])) return false;
         const Vector half =
             particles.has(Field::half_size) ? particles.vector(Field::half_size, p) : Vector(Vector::Zero());
         const auto stencil = parts.shape.stencil(parts.patch, x, half);
@@ -190,7 +189,7 @@ Findings check_measured(const SceneParts<S>& parts, const Geometry* within) {
         if (!covered(particles)) return false;
         for (Index p = 0; p < particles.size(); ++p) {
             Eigen::Vector3d x = Eigen::Vector3d::Zero();
-            x.head<S::dimension>() = particles.position(p).template cast<double>();
+            x.head<S::dimension>() = particles.position(p);
             if (within->contains(x)) return true;
         }
         return false;

@@ -39,10 +39,10 @@ class Extent {
         : geometry_(geometry), box_(geometry.bounds()), low_(box_.min), high_(box_.max) {
         for (int a = 0; a < S::dimension; ++a) {
             const auto i = static_cast<std::size_t>(a);
-            low_[a] = static_cast<double>(parts.patch.min()[a]);
-            high_[a] = static_cast<double>(parts.patch.node_position(parts.patch.cells())[a]);
+            low_[a] = parts.patch.min()[a];
+            high_[a] = parts.patch.node_position(parts.patch.cells())[a];
             counts_[i] = samples_per_axis[S::dimension - 1];
-            tolerance_[a] = 1e-6 * static_cast<double>(parts.patch.cell_size()[a]) +
+            tolerance_[a] = 1e-6 * parts.patch.cell_size()[a] +
                             4 * static_cast<double>(std::numeric_limits<typename S::Real>::epsilon()) *
                                 std::max(std::abs(low_[a]), std::abs(high_[a]));
             // What has no end, or goes on as its mirror image, is meant to be cut.

@@ -119,8 +119,7 @@ class Domains {
         Cell cell{};
         for (int a = 0; a < S::dimension; ++a)
             cell[static_cast<std::size_t>(a)] =
-                static_cast<int>(std::floor((place[a] - static_cast<double>(patch_.min()[a])) /
-                                            static_cast<double>(patch_.cell_size()[a])));
+                static_cast<int>(std::floor((place[a] - patch_.min()[a]) / patch_.cell_size()[a]));
         return cell;
     }
     static std::int64_t key(const Cell& cell) {
@@ -173,12 +172,11 @@ class Overlap {
         Geometry::Bounds box{bounds_[i].min.cwiseMax(bounds_[j].min),
                              bounds_[i].max.cwiseMin(bounds_[j].max)};
         for (int a = 0; a < S::dimension; ++a) {
-            const auto low = static_cast<double>(parts_.patch.min()[a]),
-                       high = static_cast<double>(parts_.patch.node_position(parts_.patch.cells())[a]);
+            const auto low = parts_.patch.min()[a],
+                       high = parts_.patch.node_position(parts_.patch.cells())[a];
             box.min[a] = std::max(box.min[a], low);
             box.max[a] = std::min(box.max[a], high);
-            if (!(box.max[a] - box.min[a] > rounding * static_cast<double>(parts_.patch.cell_size()[a])))
-                return {};
+            if (!(box.max[a] - box.min[a] > rounding * parts_.patch.cell_size()[a])) return {};
         }
         return box;
     }
@@ -187,8 +185,8 @@ class Overlap {
             parts_.scene.at("bodies").at(parts_.bodies[body].body()).at("particles_per_cell");
         Eigen::Vector3d spacing = Eigen::Vector3d::Ones();
         for (int a = 0; a < S::dimension; ++a)
-            spacing[a] = static_cast<double>(parts_.patch.cell_size()[a]) /
-                         per_cell[static_cast<std::size_t>(a)].template get<double>();
+            spacing[a] =
+                parts_.patch.cell_size()[a] / per_cell[static_cast<std::size_t>(a)].template get<double>();
         return spacing;
     }
 

@@ -32,13 +32,16 @@ const std::vector<Derived<S>>& derived_fields() {
     static const std::vector<Derived<S>> all = {
         {"displacement", S::dimension,
          [](const Particles<S>& particles, Index p, int c) {
-             return static_cast<double>(particles.column(Field::position, c)[p] -
-                                        particles.column(Field::initial_position, c)[p]);
+             return particles.value(Field::position, c, p) - particles.value(Field::initial_position, c, p);
+         }},
+        {"deformation_gradient", S::deformation_size,
+         [](const Particles<S>& particles, Index p, int c) {
+             const bool diagonal = c % (S::dimension + 1) == 0 || c == S::dimension * S::dimension;
+             return particles.value(Field::displacement_gradient, c, p) + (diagonal ? 1 : 0);
          }},
         {"density", 1,
          [](const Particles<S>& particles, Index p, int) {
-             return static_cast<double>(particles.column(Field::mass)[p] /
-                                        particles.column(Field::volume)[p]);
+             return particles.value(Field::mass, 0, p) / particles.value(Field::volume, 0, p);
          }},
         {"pressure", 1,
          [](const Particles<S>& particles, Index p, int) { return -full_stress(particles, p).trace() / 3; }},
@@ -96,6 +99,7 @@ class PlacesById {
 
 std::optional<Field> field_behind(const std::string& name) {
     if (name == "displacement") return Field::initial_position;
+    if (name == "deformation_gradient") return Field::displacement_gradient;
     return field_from_name(name);
 }
 
@@ -123,8 +127,11 @@ std::vector<double> field_column(const Particles<S>& particles, const std::strin
     const Index n = particles.size();
     std::vector<double> values(static_cast<std::size_t>(n));
     if (const int slot = particles.slot(field); slot >= 0) {
+        const auto known = field_from_name(field);
         const auto* column = particles.column(slot, component);
-        for (Index p = 0; p < n; ++p) values[places[p]] = static_cast<double>(column[p]);
+        for (Index p = 0; p < n; ++p)
+            values[places[p]] =
+                known ? particles.value(*known, component, p) : static_cast<double>(column[p]);
     } else if (field == "id") {
         for (Index p = 0; p < n; ++p) values[places[p]] = particles.ids()[static_cast<std::size_t>(p)];
     } else if (const Derived<S>* derived = find_derived(particles, field)) {

@@ -8,7 +8,7 @@
 namespace matpoint {
 
 /// Fields as outputs and checks name them: those that particles carry, and those computed from them
-/// when asked for (displacement, density, pressure, von_mises_stress, kinetic_energy).
+/// when asked for (displacement, deformation_gradient, density, pressure, von_mises_stress, kinetic_energy).
 template <class S>
 std::vector<std::string> field_names(const Particles<S>& particles);
 

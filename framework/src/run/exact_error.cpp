@@ -8,10 +8,10 @@ namespace matpoint {
 
 namespace {
 
-template <class S>
-Eigen::Vector3d spatial(const typename S::Vector& v) {
+template <class Vector>
+Eigen::Vector3d spatial(const Vector& v) {
     Eigen::Vector3d full = Eigen::Vector3d::Zero();
-    full.head<S::dimension>() = v.template cast<double>();
+    full.head<Vector::RowsAtCompileTime>() = v.template cast<double>();
     return full;
 }
 
@@ -43,15 +43,14 @@ bool ExactError<S>::within(const Eigen::Vector3d& x) const {
 template <class S>
 double ExactError<S>::deviation(const Particles<S>& particles, Index p, double time,
                                 double velocity_time) const {
-    const auto reference_in_space = particles.vector(Field::initial_position, p);
-    const Eigen::Vector3d reference = spatial<S>(reference_in_space);
+    const Eigen::Vector3d reference = spatial(particles.position(p, Field::initial_position));
     if (quantity_ == "velocity")
-        return distance(spatial<S>(particles.velocity(p)), solution_->velocity(reference, velocity_time),
+        return distance(spatial(particles.velocity(p)), solution_->velocity(reference, velocity_time),
                         relative_);
     if (quantity_ == "stress")
         return distance(full_stress(particles, p), solution_->stress(reference, time), relative_);
-    const typename S::Vector displacement = particles.position(p) - reference_in_space;
-    return distance(spatial<S>(displacement), solution_->displacement(reference, time), relative_);
+    const Eigen::Vector3d displacement = spatial(particles.position(p)) - reference;
+    return distance(displacement, solution_->displacement(reference, time), relative_);
 }
 
 template <class S>
@@ -59,7 +58,7 @@ void ExactError<S>::add_particles(const Particles<S>& particles, double time, do
                                   ErrorSums& sums) const {
     if (!solution_->covers(particles.body())) return;
     for (Index p = 0; p < particles.size(); ++p) {
-        if (!within(spatial<S>(particles.vector(Field::initial_position, p)))) continue;
+        if (!within(spatial(particles.position(p, Field::initial_position)))) continue;
         sums.add(
             guarded(*solution_, "functions", [&] { return deviation(particles, p, time, velocity_time); }));
     }
@@ -72,13 +71,13 @@ void ExactError<S>::add_nodes(const Patch<S>& patch, double time, double velocit
     for (int i = 0; i < static_cast<int>(patch.node_count()); ++i) {
         const auto node = patch.node_coordinates(i);
         if (!(mass[i] > 0) || !patch.inside(node)) continue;
-        const Eigen::Vector3d x = spatial<S>(patch.node_position(node));
+        const Eigen::Vector3d x = spatial(patch.node_position(node));
         if (!within(x)) continue;
         typename S::Vector v;
         for (int c = 0; c < S::dimension; ++c) v[c] = patch.column(NodeField::velocity, c)[i];
         sums.add(guarded(*solution_, "functions", [&] {
             const Eigen::Vector3d reference = reference_point(*solution_, x, time);
-            return distance(spatial<S>(v), solution_->velocity(reference, velocity_time), relative_);
+            return distance(spatial(v), solution_->velocity(reference, velocity_time), relative_);
         }));
     }
 }

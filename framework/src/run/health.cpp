@@ -16,7 +16,7 @@ std::string at(const Moment& moment) {
 
 template <class S>
 std::string name(const Particles<S>& particles, Index p) {
-    const typename S::Vector x = particles.position(p);
+    const typename S::Position x = particles.position(p);
     return fmt::format("particle {} of body \"{}\" at ({:.6g})", particles.ids()[static_cast<std::size_t>(p)],
                        particles.body(), fmt::join(x.data(), x.data() + S::dimension, ", "));
 }

@@ -13,7 +13,7 @@ namespace matpoint {
 template <class S>
 Eigen::Vector3d place_of(const Patch<S>& patch, const typename Patch<S>::Coordinates& node) {
     Eigen::Vector3d place = Eigen::Vector3d::Zero();
-    place.head<S::dimension>() = patch.node_position(node).template cast<double>();
+    place.head<S::dimension>() = patch.node_position(node);
     return place;
 }
 
@@ -27,8 +27,7 @@ class NodeBox {
         double nodes = 1;
         for (int a = 0; a < S::dimension; ++a) {
             const auto i = static_cast<std::size_t>(a);
-            const double min = static_cast<double>(patch.min()[a]),
-                         h = static_cast<double>(patch.cell_size()[a]);
+            const double min = patch.min()[a], h = patch.cell_size()[a];
             const double cells = patch.cells()[i];
             constexpr double rounding = 1e-3;  // in cells; the region itself decides
             first_[i] =

@@ -31,7 +31,7 @@ SceneSimulation<S>::SceneSimulation(const Scene& scene, PluginCatalogue& catalog
       most_gain_(scene.resolved.at("/health/energy_gain"_json_pointer).get<double>()),
       assembly_(assemble<S>(scene, catalogue.registry())),
       engine_(assembly_.components, assembly_.bodies, assembly_.first_states),
-      smallest_cell_(static_cast<double>(engine_.patch().cell_size().minCoeff())) {
+      smallest_cell_(engine_.patch().cell_size().minCoeff()) {
     const Json& time = scene.resolved.at("time");
     if (time.contains("step"))
         step_length_ = time.at("step").get<double>();

@@ -13,12 +13,11 @@ constexpr int places = 4;      // of a body in the cells
 
 /// A place in the same cell, farther by a part of it along all axes, and round to its other side.
 template <class S>
-typename S::Vector shifted(const Patch<S>& patch, typename S::Vector x, double part) {
-    using Real = typename S::Real;
+typename S::Position shifted(const Patch<S>& patch, typename S::Position x, double part) {
     for (int a = 0; a < S::dimension; ++a) {
-        const auto min = static_cast<double>(patch.min()[a]), h = static_cast<double>(patch.cell_size()[a]);
-        const double xi = (static_cast<double>(x[a]) - min) / h, within = xi - std::floor(xi) + part;
-        x[a] = static_cast<Real>(min + (std::floor(xi) + within - std::floor(within)) * h);
+        const auto min = patch.min()[a], h = patch.cell_size()[a];
+        const double xi = (x[a] - min) / h, within = xi - std::floor(xi) + part;
+        x[a] = min + (std::floor(xi) + within - std::floor(within)) * h;
     }
     return x;
 }
@@ -34,7 +33,7 @@ double slope(const Patch<S>& patch, const Particles<S>& particles, const ShapeFu
         const typename S::Vector half_size = particles.has(Field::half_size)
                                                  ? particles.vector(Field::half_size, p)
                                                  : S::Vector::Zero().eval();
-        const typename S::Vector x = particles.vector(Field::position, p);
+        const typename S::Position x = particles.position(p);
         const auto stencil = shape.stencil(patch, shifted(patch, x, part), half_size);
         for (int a = 0; a < S::dimension; ++a) {
             const auto axis = static_cast<std::size_t>(a);
@@ -57,7 +56,7 @@ double shortest_wave_phase(const Patch<S>& patch, const std::vector<Particles<S>
     for (const Particles<S>& particles : bodies)
         for (int k = 0; k < places; ++k)
             largest = std::max(largest, slope(patch, particles, shape, static_cast<double>(k) / places));
-    return largest * static_cast<double>(patch.cell_size().minCoeff());
+    return largest * patch.cell_size().minCoeff();
 }
 
 #define MATPOINT_INSTANTIATE(S)                                                            \

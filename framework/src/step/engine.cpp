@@ -14,14 +14,11 @@ namespace {
 constexpr double mass_cutoff = 1e-13;
 constexpr Index nodes_per_task = 8192;
 
-/// Of the particles as they are now, kg/m^3.
+/// kg/m^3, of the bodies at the start: the same for a run that continues.
 template <class S>
-double lowest_density(const std::vector<Particles<S>>& bodies) {
+double lowest_density(const std::vector<std::shared_ptr<Material<S>>>& materials) {
     double lowest = std::numeric_limits<double>::infinity();
-    for (const Particles<S>& particles : bodies)
-        for (Index p = 0; p < particles.size(); ++p)
-            lowest = std::min(lowest, static_cast<double>(particles.column(Field::mass)[p]) /
-                                          static_cast<double>(particles.column(Field::volume)[p]));
+    for (const auto& material : materials) lowest = std::min(lowest, material->density());
     return lowest;
 }
 }  // namespace
@@ -34,7 +31,7 @@ Engine<S>::Engine(Components<S> components, std::vector<Particles<S>>& bodies, s
       patch_(components_.grid->patch()),
       ordering_(bodies.size()),
       walls_(components_.conditions),
-      light_nodes_(components_.light_nodes, lowest_density(bodies)) {
+      light_nodes_(components_.light_nodes, lowest_density<S>(components_.materials)) {
     if (!components_.loads.empty()) patch_.require(NodeField::external_force);
     for (const NodeField field : components_.integrator->node_fields()) patch_.require(field);
     for (const Particles<S>& particles : bodies_) {
@@ -103,11 +100,10 @@ void Engine<S>::for_nodes(const Body& body) const {
 }
 
 template <class S>
-int Engine<S>::affine_slot(const Particles<S>& particles, NodeField momentum) const {
+bool Engine<S>::extends(NodeField momentum) const {
     const auto field = components_.transfer->affine();
     // L is a step older than the velocity that is projected anew: only what came with it extends it.
-    const bool stale = field == Field::velocity_gradient && momentum == NodeField::remapped_velocity;
-    return field && !stale ? particles.slot(*field) : -1;
+    return field && !(field == Field::velocity_gradient && momentum == NodeField::remapped_velocity);
 }
 
 template <class S>
@@ -115,7 +111,9 @@ void Engine<S>::scatter(const Scatter& request) {
     const Timer timer(*this, StepPhase::scatter);
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
         Scatter own = request;
-        own.affine_slot = request.momentum ? affine_slot(bodies_[b], *request.momentum) : -1;
+        own.affine_slot = request.momentum && extends(*request.momentum)
+                              ? bodies_[b].slot(*components_.transfer->affine())
+                              : -1;
         const auto& ranges = ordering_.ranges(b);
         for (const std::vector<Index>& colour : ordering_.colours(b))
             parallel_for(static_cast<Index>(colour.size()),
@@ -148,9 +146,7 @@ void Engine<S>::project(typename Phases<S>::Projection projection) {
         apply_loads();  // while mass is what the particles gave, not yet folded
         walls_.fold_mass(patch_);
         light_nodes_.locate(patch_, inside_, walls_.prescribed_components(), !components_.loads.empty());
-        light_nodes_.fold(patch_, NodeField::mass);
         walls_.fold_momentum(patch_, NodeField::velocity, velocity_from_);
-        light_nodes_.fold(patch_, NodeField::velocity);
         // A transfer that replaces particle velocities lets walls stop momentum here already; the
         // momentum itself is kept in the acceleration until that is counted.
         const Real share = components_.transfer->grid_share();
@@ -158,7 +154,7 @@ void Engine<S>::project(typename Phases<S>::Projection projection) {
             for (int c = 0; c < S::dimension; ++c)
                 std::copy_n(patch_.column(NodeField::velocity, c), patch_.node_count(),
                             patch_.column(NodeField::acceleration, c));
-        finish_velocity(NodeField::velocity, velocity_from_);
+        finish_velocity(NodeField::velocity, velocity_from_, !projection.internal_force);
         if (share > 0)
             add_reactions(NodeField::acceleration, NodeField::velocity, static_cast<double>(share),
                           velocity_from_);
@@ -191,7 +187,7 @@ void Engine<S>::apply_loads() {
 }
 
 template <class S>
-void Engine<S>::finish_velocity(NodeField field, double time) {
+void Engine<S>::finish_velocity(NodeField field, double time, bool read) {
     // However small the mass, momentum over mass is a mean of the particles' velocities, which read it
     // back: cutting it off would strain a body that flies freely.
     const Real* mass = patch_.column(NodeField::mass);
@@ -203,7 +199,10 @@ void Engine<S>::finish_velocity(NodeField field, double time) {
         }
     });
     walls_.constrain(patch_, field, time);
-    light_nodes_.fill(patch_, field);
+    if (read) {
+        if (field == NodeField::velocity) light_nodes_.keep_velocity(patch_);
+        light_nodes_.follow_velocity(patch_, field);
+    }
     walls_.fill_velocity(patch_, field, time);
 }
 
@@ -217,27 +216,26 @@ void Engine<S>::accelerate(Real dt, Real factor) {
     for_nodes([&](Index, Index begin, Index end) {
         for (int c = 0; c < S::dimension; ++c) {
             Real* f = patch_.column(NodeField::force, c);
-            const Real* external = loaded ? patch_.column(NodeField::external_force, c) : nullptr;
-            for (Index i = begin; i < end; ++i) f[i] = factor * (external ? f[i] + external[i] : f[i]);
-        }
-    });
-    light_nodes_.fold(patch_, NodeField::force);
-    light_nodes_.restore(patch_, NodeField::velocity);
-    for_nodes([&](Index, Index begin, Index end) {
-        for (int c = 0; c < S::dimension; ++c) {
-            const Real* f = patch_.column(NodeField::force, c);
             Real* a = patch_.column(NodeField::acceleration, c);
-            Real* v = patch_.column(NodeField::velocity, c);
+            const Real* external = loaded ? patch_.column(NodeField::external_force, c) : nullptr;
             for (Index i = begin; i < end; ++i) {
+                f[i] = factor * (external ? f[i] + external[i] : f[i]);
                 a[i] = mass[i] > cutoff ? f[i] / mass[i] : Real(0);
-                v[i] += a[i] * dt;
             }
         }
     });
     walls_.constrain_acceleration(patch_, velocity_from_, velocity_to_, dt_);
+    light_nodes_.follow_acceleration(patch_);
+    light_nodes_.restore_velocity(patch_);
+    for_nodes([&](Index, Index begin, Index end) {
+        for (int c = 0; c < S::dimension; ++c) {
+            const Real* a = patch_.column(NodeField::acceleration, c);
+            Real* v = patch_.column(NodeField::velocity, c);
+            for (Index i = begin; i < end; ++i) v[i] += a[i] * dt;
+        }
+    });
     walls_.constrain(patch_, NodeField::velocity, velocity_to_);
-    light_nodes_.fill(patch_, NodeField::acceleration);
-    light_nodes_.fill(patch_, NodeField::velocity);
+    light_nodes_.follow_velocity(patch_, NodeField::velocity, components_.transfer->grid_share() / dt);
     walls_.fill_acceleration(patch_, velocity_from_, velocity_to_, dt_);
     walls_.fill_velocity(patch_, NodeField::velocity, velocity_to_);
     add_reactions(NodeField::force, NodeField::acceleration, dt_, (velocity_from_ + velocity_to_) / 2);
@@ -286,8 +284,7 @@ void Engine<S>::remap() {
     patch_.clear(NodeField::remapped_velocity);
     scatter({.momentum = NodeField::remapped_velocity});
     walls_.fold_momentum(patch_, NodeField::remapped_velocity, velocity_to_);
-    light_nodes_.fold(patch_, NodeField::remapped_velocity);
-    finish_velocity(NodeField::remapped_velocity, velocity_to_);
+    finish_velocity(NodeField::remapped_velocity, velocity_to_, true);
 }
 
 #define MATPOINT_INSTANTIATE(S) template class Engine<S>;

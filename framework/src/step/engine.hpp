@@ -111,7 +111,7 @@ class Engine final : public Phases<S> {
     void measure();
 
     const Ordering<S>& ordering() const { return ordering_; }
-    std::optional<Exit> exit(const typename S::Vector& x, double time) const {
+    std::optional<Exit> exit(const typename S::Position& x, double time) const {
         return walls_.exit(patch_, x, time);
     }
     void restore(const Tally& tally) { tally_ = tally; }
@@ -136,10 +136,13 @@ class Engine final : public Phases<S> {
     class Timer;
 
     void scatter(const Scatter& request);
-    int affine_slot(const Particles<S>& particles, NodeField momentum) const;
+    /// Whether particles extend their velocity to the nodes' places in this momentum.
+    bool extends(NodeField momentum) const;
+    void fold_light_nodes(NodeField momentum);
     void apply_loads();
-    /// Momentum to velocity, zero where there is hardly any mass; then walls, at `time`.
-    void finish_velocity(NodeField field, double time);
+    /// Momentum to velocity, zero where there is hardly any mass; then walls, at `time`, and light nodes, if
+    /// particles will read it.
+    void finish_velocity(NodeField field, double time, bool read);
     void add_load_work(Real dt, Real factor);
     /// Puts particles back that are beyond closed faces by hardly more than nothing.
     void hold_at_walls();

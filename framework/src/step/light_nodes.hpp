@@ -2,6 +2,8 @@
 
 #include <matpoint/grid.hpp>
 
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace matpoint {
@@ -11,55 +13,102 @@ namespace matpoint {
 /// own acceleration would strain them, and let loads do work, by as much as that of a full node, however
 /// light it is (docs/theory.md, "Light nodes").
 ///
-///     u_i = s_i v_i + (1 - s_i) sum_j E_ij u_j        s_i = 2 m_i / (share of a full node's mass) - 1, from
-///     0 to 1
+///     u_i = sum_j E_ij u_j
 ///
-/// where v are a node's own velocity (or acceleration), u what particles read, and E extrapolates linearly
-/// from heavier nodes along the axes. Mass, momentum and force fold by the transpose, so momentum and work
-/// are kept as if the shape functions were sum_i S_i (s_i delta_ij + (1 - s_i) E_ij), which sum to 1 as well.
+/// is a constraint on each light node i; E extrapolates linearly along lines of other nodes. It is obeyed by
+/// an exchange of momentum,
+///
+///     lambda_i = (1 - s_i) (v_i - sum_j E_ij v_j) / (1 / m_i + sum_j |E_ij| / m_j sum_k |E_kj|)
+///     m_i u_i = m_i v_i - lambda_i, m_j u_j = m_j v_j + sum_i E_ij lambda_i
+///
+/// which keeps momentum and, as sum_j E_ij x_j = x_i, angular momentum. Where constraints have no node in
+/// common that is the velocity nearest to v, in kinetic energy, that obeys; elsewhere it comes near it. It is
+/// self-adjoint and never adds energy. s_i goes from 0 to 1 as m_i goes from half of `share` of a full node's
+/// mass to all of it.
 template <class S>
 class LightNodes {
   public:
     using Real = typename S::Real;
 
     /// `share` of a full node's mass below which nodes are light; `density` of the lightest body, kg/m^3.
-    LightNodes(double share, double density) : share_(share), density_(density) {}
+    LightNodes(double share, double density);
 
-    /// Finds them by the present mass of the nodes. `inside`, by node: on or within the grid's faces;
-    /// `prescribed`, by node: a bit for each component that a boundary condition sets; `loaded`: whether
-    /// NodeField::external_force exists.
+    /// Finds them by the present mass of the nodes, with that of ghosts folded. `inside`, by node: on or
+    /// within the grid's faces; `prescribed`, by node: a bit for each component that a boundary condition
+    /// sets; `loaded`: whether NodeField::external_force exists.
     void locate(const Patch<S>& patch, const std::vector<char>& inside,
                 const std::vector<unsigned char>& prescribed, bool loaded);
-    /// Own values to those of all others that they are made of.
-    void fold(Patch<S>& patch, NodeField field) const;
-    /// What particles read, from the nodes' own values, which can be had back once.
-    void fill(Patch<S>& patch, NodeField field);
-    void restore(Patch<S>& patch, NodeField field) const;
     bool empty() const { return links_.empty(); }
+
+    /// Makes a velocity field one that particles may read. What goes to prescribed components is added,
+    /// `share` times, to the force, unless that is 0.
+    void follow_velocity(Patch<S>& patch, NodeField velocity, Real share = 0);
+    /// Nodes' own velocities, which accelerations are added to, before they follow, and back.
+    void keep_velocity(const Patch<S>& patch);
+    void restore_velocity(Patch<S>& patch);
+    /// The same for the acceleration by the force. What goes to prescribed components is added to the force.
+    void follow_acceleration(Patch<S>& patch);
 
   private:
     using Coordinates = typename Patch<S>::Coordinates;
+    /// A node, `steps` times `direction` away, and the next one.
+    struct Line {
+        Coordinates direction;
+        int steps;
+    };
+    struct Lead {
+        int node;
+        Real factor;          ///< E
+        Real by_mass = 0;     ///< E / m
+        Real reluctance = 0;  ///< |E| / m sum_k |E_k|, its part of the denominator
+    };
     struct Link {
         int node;
-        Real own;   ///< s
-        int begin;  ///< of its terms
-        int end;
+        Real part;                     ///< 1 - s
+        int begin, end;                ///< of its leads
+        unsigned char prescribed = 0;  ///< a bit for each component that is, of any of them
+        Real reluctance = 0;
     };
-    struct Term {
-        int node;
-        Real weight;  ///< (1 - s) E
+    struct Found {
+        const Line* line;
+        int near, far;  ///< -1: none
+    };
+    enum class State : char { none, firm, follows };
+    struct Heaviest {
+        int node = -1;
+        double mass = 0;
     };
 
     double full_mass(const Patch<S>& patch, const Coordinates& node) const;
-    bool link(const Patch<S>& patch, int node, const std::vector<char>& inside,
-              const std::vector<unsigned char>& prescribed);
+    int firm_node(const Patch<S>& patch, const Coordinates& from, const Coordinates& direction,
+                  int steps) const;
+    bool mirrored(const Patch<S>& patch, const Coordinates& node, const Coordinates& direction) const;
+    /// `part`: of the mass from which a node is firm.
+    Link link_of(int node, double part, std::size_t begin) const;
+    std::optional<Link> along_lines(const Patch<S>& patch, int node);
+    Heaviest heaviest_neighbour(const Patch<S>& patch, const Coordinates& node) const;
+    std::optional<Link> beside_heavier(const Patch<S>& patch, int node);
+    void weigh(const Patch<S>& patch);
+    std::span<const Lead> leads(const Link& link) const {
+        return {leads_.data() + link.begin, leads_.data() + link.end};
+    }
+    template <class Impulse>
+    void follow(const Patch<S>& patch, int component, Real* values, Real* force, Real share,
+                const Impulse& impulse);
+    template <class Visit>
+    void visit_nodes(const Visit& visit) const;
 
     double share_, density_;
-    std::vector<Link> links_;  ///< those that others are made of before these
-    std::vector<Term> terms_;
-    std::vector<char> state_;  ///< by node
-    std::vector<int> pending_;
-    std::vector<Real> own_;  ///< values before fill(), by link and component
+    std::vector<std::vector<Line>> lines_;  ///< by distance, the nearest first
+    std::vector<Link> links_;               ///< of their nodes none leads another
+    std::vector<Lead> leads_;
+    std::vector<State> states_;  ///< by node
+    std::span<const unsigned char> prescribed_;
+    std::vector<int> light_;
+    std::vector<float> shared_;  ///< by node: sum_k |E_kj|
+    std::vector<Found> found_;
+    std::vector<Real> lambda_;  ///< by link
+    std::vector<Real> kept_;    ///< by component; of links, then of leads
 };
 
 }  // namespace matpoint

@@ -63,10 +63,11 @@ bool Ordering<S>::strayed(const Patch<S>& patch, const Particles<S>& particles, 
     for (std::size_t r = 0; r < ranges_[body].size(); ++r) {
         const Bounds<S>& bounds = bounds_[body][r];
         const auto block = patch.block_coordinates(ranges_[body][r].block);
-        const auto base_of = [&](const typename S::Vector& x) {
+        const auto base_of = [&](const typename S::Position& x) {
             return guarded(shape, "base_node", [&] { return shape.base_node(patch, particles, x); });
         };
-        const auto low = base_of(bounds.low), high = base_of(bounds.high);
+        const auto low = base_of(lowest_position<S>(bounds.low));
+        const auto high = base_of(highest_position<S>(bounds.high));
         for (std::size_t a = 0; a < S::dimension; ++a) {
             // Cells counted from the block's first, which stores node 4 block - 1.
             const int first = Patch<S>::block_edge * block[a] - 1;

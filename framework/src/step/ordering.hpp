@@ -31,10 +31,11 @@ struct Bounds {
 template <class S>
 Bounds<S> domain(const Patch<S>& patch) {
     using Real = typename S::Real;
-    Bounds<S> room{patch.min(), patch.node_position(patch.cells())};
+    Bounds<S> room{patch.min().template cast<Real>(),  // rounded as the columns of positions are
+                   patch.node_position(patch.cells()).template cast<Real>()};
     if constexpr (S::axisymmetric)
-        room.low[0] =
-            std::max(room.low[0], std::sqrt(std::numeric_limits<Real>::epsilon()) * patch.cell_size()[0]);
+        room.low[0] = std::max(room.low[0], std::sqrt(std::numeric_limits<Real>::epsilon()) *
+                                                static_cast<Real>(patch.cell_size()[0]));
     return room;
 }
 

@@ -86,11 +86,9 @@ class Engine<S>::BatchUpdate final : public GatherSink<S> {
             const Number low(room_.low[a]), high(room_.high[a]);
             Number least(bounds_.low[a]), greatest(bounds_.high[a]);
             auto inside = low <= high;
-            Real* const column = particles_.column(Field::position, a);
             const auto& v = batch.gathered().velocity[static_cast<std::size_t>(a)];
             visit_packs(batch, [&](const auto& p) {
-                Number x = p.load(column) + p.load(v) * Number(dt_);
-                p.store(column, x);
+                Number x = p.template add<Field::position>(a, p.load(v) * Number(dt_));
                 x = head(x, p.count(), Number(x[0]));
                 least = min(x, least);
                 greatest = max(x, greatest);
@@ -116,28 +114,32 @@ class Engine<S>::BatchUpdate final : public GatherSink<S> {
       private:
         std::array<double, batch_multiple> sums_{};
     };
-    /// F = (I + L dt) F, V = det(I + L dt) V, then the stress [Wallstedt & Guilkey 2008, eq. 11-13]. Its work
-    /// is that of V sigma : L before and after, of second order in dt. At the end of the step the same
-    /// velocities have the gradient L (I + L dt)^-1, for which L - dt L^2 is enough.
+    /// F = (I + L dt) F, V = det(I + L dt) V, then the stress [Wallstedt & Guilkey 2008, eq. 11-13]; in terms
+    /// of H = F - I, and of what V grows by, which keep what is small beside 1. The stress's work is that of
+    /// V sigma : L before and after, of second order in dt. At the end of the step the same velocities have
+    /// the gradient L (I + L dt)^-1, for which L - dt L^2 is enough.
     MATPOINT_FLATTEN void strain(const ParticleBatch<S>& batch) {
-        const bool deforms = particles_.has(Field::deformation_gradient);
+        const bool deforms = particles_.has(Field::displacement_gradient);
         const bool keeps_gradient = particles_.has(Field::velocity_gradient);
         LaneSums power;  // W
         visit_packs(batch, [&](const auto& p) {
             const Tensor<S, Number> gradient = p.velocity_gradient();
             const Number volume = p.volume();
             power.add(p, wide(volume) * wide(contract(p.stress(), gradient)));
-            Tensor<S, Number> increment = Tensor<S, Number>::identity() + dt_ * gradient;
-            Number ratio = determinant(increment);
-            const auto sound = ratio > Number(0);
+            Tensor<S, Number> increment = dt_ * gradient;
+            Number growth = volume_change(increment);
+            const auto sound = growth > Number(-1);
             if (__builtin_expect(any(!sound), 0)) {
-                report_inverted(batch, p, ratio);
+                report_inverted(batch, p, Number(1) + growth);
                 // One that turned inside out stays as it was.
-                increment = select(sound, increment, Tensor<S, Number>::identity());
-                ratio = select(sound, ratio, Number(1));
+                increment = select(sound, increment, Tensor<S, Number>());
+                growth = select(sound, growth, Number(0));
             }
-            p.store(Field::volume, 0, volume * ratio);
-            if (deforms) p.set_deformation_gradient(increment * p.deformation_gradient());
+            p.template add<Field::volume>(0, volume * growth);
+            if (deforms) {
+                const Tensor<S, Number> h = p.displacement_gradient();
+                p.set_displacement_gradient(h + (increment + increment * h));
+            }
             if (keeps_gradient)
                 for (int c = 0; c < S::dimension * S::dimension; ++c)
                     p.store(Field::velocity_gradient, c, gradient.plane.data()[c]);

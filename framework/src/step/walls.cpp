@@ -57,7 +57,7 @@ void Walls<S>::locate(const Patch<S>& patch) {
         }
         if (!patch.inside(node)) continue;
 
-        const Vector position = patch.node_position(node);
+        const Position position = patch.node_position(node);
         std::array<int, S::dimension> condition;
         condition.fill(-1);
         for (const Face& face : faces_) {
@@ -67,7 +67,7 @@ void Walls<S>::locate(const Patch<S>& patch) {
                 if (condition[c] < 0) condition[c] = face.condition[c];
         }
         Eigen::Vector3d point = Eigen::Vector3d::Zero();
-        for (int a = 0; a < S::dimension; ++a) point[a] = static_cast<double>(position[a]);
+        point.head<S::dimension>() = position;
         for (std::size_t k = 0; k < conditions_.size(); ++k) {
             const Geometry* const region = conditions_[k].region.get();
             if (!region || !guarded(*region, "contains", [&] { return region->contains(point); })) continue;
@@ -84,7 +84,8 @@ void Walls<S>::locate(const Patch<S>& patch) {
 }
 
 template <class S>
-typename S::Real Walls<S>::velocity(int condition, int component, const Vector& position, double time) const {
+typename S::Real Walls<S>::velocity(int condition, int component, const Position& position,
+                                    double time) const {
     const BoundaryCondition<S>& own = *conditions_[static_cast<std::size_t>(condition)].condition;
     return guarded(own, "velocity", [&] { return own.velocity(position, time)[component]; });
 }
@@ -178,32 +179,33 @@ void Walls<S>::fill(Patch<S>& patch, NodeField field, const Value& prescribed) c
 template <class S>
 void Walls<S>::fill_velocity(Patch<S>& patch, NodeField field, double time) const {
     fill(patch, field,
-         [&](int condition, int c, const Vector& x) { return velocity(condition, c, x, time); });
+         [&](int condition, int c, const Position& x) { return velocity(condition, c, x, time); });
 }
 
 template <class S>
 void Walls<S>::fill_acceleration(Patch<S>& patch, double from, double to, double dt) const {
-    fill(patch, NodeField::acceleration, [&](int condition, int c, const Vector& x) {
+    fill(patch, NodeField::acceleration, [&](int condition, int c, const Position& x) {
         return (velocity(condition, c, x, to) - velocity(condition, c, x, from)) / static_cast<Real>(dt);
     });
 }
 
 template <class S>
-std::optional<Exit> Walls<S>::exit(const Face& face, const Patch<S>& patch, const Vector& x,
+std::optional<Exit> Walls<S>::exit(const Face& face, const Patch<S>& patch, const Position& x,
                                    double time) const {
-    const Real inwards = face.side == 0 ? 1 : -1;
-    const Real distance = inwards * (face.place(patch) - x[face.axis]);
+    const double inwards = face.side == 0 ? 1 : -1;
+    const double distance = inwards * (face.place(patch) - x[face.axis]);
     if (!(distance > 0)) return {};
-    Exit exit{face_name(face.axis, face.side),
-              static_cast<double>(distance * patch.inverse_cell_size()[face.axis]), Exit::Through::open};
+    Exit exit{face_name(face.axis, face.side), distance * patch.inverse_cell_size()[face.axis],
+              Exit::Through::open};
     if (const int condition = face.condition[static_cast<std::size_t>(face.axis)]; condition >= 0)
-        exit.through = inwards * velocity(condition, face.axis, x, time) < 0 ? Exit::Through::outflow
-                                                                             : Exit::Through::closed;
+        exit.through = inwards * static_cast<double>(velocity(condition, face.axis, x, time)) < 0
+                           ? Exit::Through::outflow
+                           : Exit::Through::closed;
     return exit;
 }
 
 template <class S>
-std::optional<Exit> Walls<S>::exit(const Patch<S>& patch, const Vector& x, double time) const {
+std::optional<Exit> Walls<S>::exit(const Patch<S>& patch, const Position& x, double time) const {
     if (x.allFinite())
         for (const Face& face : faces_)
             if (auto own = exit(face, patch, x, time)) return own;
@@ -215,9 +217,9 @@ bool Walls<S>::hold(const Patch<S>& patch, Particles<S>& particles, Index partic
     for (const Face& face : faces_) {
         const auto own = exit(face, patch, particles.position(particle), time);
         if (own && own->through == Exit::Through::closed && own->distance <= reach_of_walls)
-            particles.column(Field::position, face.axis)[particle] = face.place(patch);
+            particles.set_value(Field::position, face.axis, particle, face.place(patch));
     }
-    const Vector x = particles.position(particle);
+    const Position x = particles.position(particle);
     return x.allFinite() && !exit(patch, x, time);
 }
 
@@ -225,7 +227,7 @@ template <class S>
 void Walls<S>::reaction(const Patch<S>& patch, NodeField source, NodeField value, double time,
                         std::vector<Sum>& sums) const {
     const Real* mass = patch.column(NodeField::mass);
-    const auto add = [&](int condition, int c, double amount, const Vector& x) {
+    const auto add = [&](int condition, int c, double amount, const Position& x) {
         Sum& sum = sums[static_cast<std::size_t>(condition)];
         sum.total[static_cast<std::size_t>(c)] += amount;
         sum.power += amount * static_cast<double>(velocity(condition, c, x, time));

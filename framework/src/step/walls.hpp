@@ -52,7 +52,7 @@ template <class S>
 class Walls {
   public:
     using Real = typename S::Real;
-    using Vector = typename S::Vector;
+    using Position = typename S::Position;
 
     explicit Walls(std::vector<PlacedCondition<S>> conditions);
 
@@ -85,7 +85,7 @@ class Walls {
 
     /// The face that a particle at `x` is beyond, if there is one. It is closed where its condition
     /// prescribes the normal velocity, and none that carries particles out, at `time`.
-    std::optional<Exit> exit(const Patch<S>& patch, const Vector& x, double time) const;
+    std::optional<Exit> exit(const Patch<S>& patch, const Position& x, double time) const;
     /// Puts a particle that is beyond closed faces by hardly more than nothing onto them: velocities vanish
     /// there, but rounding and nodes with hardly any mass push on. Whether it is on the grid then.
     bool hold(const Patch<S>& patch, Particles<S>& particles, Index particle, double time) const;
@@ -97,7 +97,7 @@ class Walls {
   private:
     struct Link {
         int ghost, edge, inner;  ///< places of nodes -1, 0 and 1 counted inwards
-        Vector position;         ///< of the edge node
+        Position position;       ///< of the edge node
     };
     struct Face {
         int axis;
@@ -106,22 +106,22 @@ class Walls {
         bool wall = false;
         std::vector<Link> links;
         /// Where particles stop, along the axis.
-        Real place(const Patch<S>& patch) const {
+        double place(const Patch<S>& patch) const {
             const Bounds<S> room = domain(patch);
-            return side == 0 ? room.low[axis] : room.high[axis];
+            return static_cast<double>(side == 0 ? room.low[axis] : room.high[axis]);
         }
     };
     struct Prescribed {
         int node;
         int component;
         int condition;
-        Vector position;
+        Position position;
     };
 
-    std::optional<Exit> exit(const Face& face, const Patch<S>& patch, const Vector& x, double time) const;
+    std::optional<Exit> exit(const Face& face, const Patch<S>& patch, const Position& x, double time) const;
     template <class Value>
     void fill(Patch<S>& patch, NodeField field, const Value& prescribed) const;
-    Real velocity(int condition, int component, const Vector& position, double time) const;
+    Real velocity(int condition, int component, const Position& position, double time) const;
     std::array<bool, 3> prescribed(std::size_t condition, int axis) const;
 
     std::vector<PlacedCondition<S>> conditions_;

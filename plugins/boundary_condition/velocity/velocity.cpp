@@ -11,6 +11,7 @@ template <class S>
 class Velocity final : public BoundaryCondition<S> {
   public:
     using typename BoundaryCondition<S>::Vector;
+    using typename BoundaryCondition<S>::Position;
 
     explicit Velocity(const Parameters& parameters) {
         for (const Json& component : parameters.json().at("velocity"))
@@ -36,10 +37,9 @@ class Velocity final : public BoundaryCondition<S> {
         return prescribed;
     }
 
-    Vector velocity(const Vector& position, double time) const override {
+    Vector velocity(const Position& position, double time) const override {
         std::array<double, 3> x{};
-        for (int a = 0; a < S::dimension; ++a)
-            x[static_cast<std::size_t>(a)] = static_cast<double>(position[a]);
+        std::copy_n(position.data(), S::dimension, x.begin());
         Vector v = Vector::Zero();
         for (int a = 0; a < S::dimension; ++a)
             if (const auto& component = velocity_[static_cast<std::size_t>(a)])

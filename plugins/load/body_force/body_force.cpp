@@ -40,8 +40,7 @@ class BodyForce final : public Load<S> {
             if (mass[i] == 0) continue;
             const auto position = patch.node_position(patch.node_coordinates(static_cast<int>(i)));
             std::array<double, 3> x{};
-            for (int a = 0; a < S::dimension; ++a)
-                x[static_cast<std::size_t>(a)] = static_cast<double>(position[a]);
+            std::copy_n(position.data(), S::dimension, x.begin());
             for (int a = 0; a < S::dimension; ++a) {
                 const auto& b = acceleration_[static_cast<std::size_t>(a)];
                 if (!b) continue;

@@ -79,7 +79,7 @@ class Manufactured final : public Load<S> {
 
     static Eigen::Vector3d reference(const Particles<S>& particles, Index p) {
         Eigen::Vector3d x = Eigen::Vector3d::Zero();
-        x.head<S::dimension>() = particles.vector(Field::initial_position, p).template cast<double>();
+        x.head<S::dimension>() = particles.position(p, Field::initial_position);
         return x;
     }
 

@@ -35,7 +35,7 @@ class Traction final : public Load<S> {
     void declare(Particles<S>& particles) override {
         if (particles.body() != body_) return;
         particles.require(Field::initial_half_size);
-        if (S::dimension > 1) particles.require(Field::deformation_gradient);
+        if (S::dimension > 1) particles.require(Field::displacement_gradient);
         area_ = particles.require(field_, 1);
     }
 

@@ -33,7 +33,7 @@ class LinearElastic final : public PointwiseMaterial<S, LinearElastic<S>> {
 
     template <class Point>
     auto update(const Point& p, Real dt) const {
-        p.set_stress(small_strain_ ? stress(small_strain(p.deformation_gradient()))
+        p.set_stress(small_strain_ ? stress(symmetric(p.displacement_gradient()))
                                    : hypoelastic_stress(lame_, p.stress(), p.velocity_gradient(), dt));
         return squared_wave_speed(p);
     }
@@ -46,15 +46,11 @@ class LinearElastic final : public PointwiseMaterial<S, LinearElastic<S>> {
 
     std::optional<double> stored_energy(const Batch& batch, Index p) const override {
         if (!small_strain_) return {};
-        const Tensor<S> strain = small_strain(batch.deformation_gradient(p));
+        const Tensor<S> strain = symmetric(batch.displacement_gradient(p));
         return contract(stress(strain), strain) / 2;
     }
 
   private:
-    template <class T>
-    static Tensor<S, T> small_strain(const Tensor<S, T>& deformation_gradient) {
-        return symmetric(deformation_gradient) - Tensor<S, T>::identity();
-    }
     template <class T>
     Tensor<S, T> stress(const Tensor<S, T>& strain) const {
         return (lame_.lambda * trace(strain)) * Tensor<S, T>::identity() + (2 * lame_.mu) * strain;

@@ -76,7 +76,7 @@ class Gimp final : public DelegatingShape<S> {
         particles.require(Field::half_size);
         if (domain_ == "uniform") return;
         particles.require(Field::initial_half_size);
-        particles.require(Field::deformation_gradient);
+        particles.require(Field::displacement_gradient);
     }
 
     void start_step(const Patch<S>& patch, Particles<S>& particles) override {
@@ -109,7 +109,7 @@ class Gimp final : public DelegatingShape<S> {
         const auto of = [&](Field field, int c) { return column(particles, field, c, begin, count); };
         of(Field::half_size, a) =
             of(Field::initial_half_size, a) *
-            of(Field::deformation_gradient, a * (S::dimension + 1)).abs().max(Real(0.05));
+            (Real(1) + of(Field::displacement_gradient, a * (S::dimension + 1))).abs().max(Real(0.05));
     }
     /// l_a^2 = sum_b (F_ab l^0_b)^2: the box with the second moments of the deformed domain. That is
     /// eq. 63 where the stretch is along the axes, and is the same whichever way a square domain turns.
@@ -118,7 +118,8 @@ class Gimp final : public DelegatingShape<S> {
         Eigen::Map<Numbers> l = of(Field::half_size, a);
         l.setZero();
         for (int b = 0; b < S::dimension; ++b)
-            l += (of(Field::deformation_gradient, a + b * S::dimension) * of(Field::initial_half_size, b))
+            l += ((Real(a == b ? 1 : 0) + of(Field::displacement_gradient, a + b * S::dimension)) *
+                  of(Field::initial_half_size, b))
                      .square();
         l = l.sqrt();
     }

@@ -60,6 +60,7 @@ class Flip final : public Transfer<S> {
     }
 
     void declare(Particles<S>& particles) const override {
+        particles.require(Field::velocity_remainder);
         if (gradient_enhanced_) particles.require(Field::velocity_gradient);
     }
     /// v_ip = v_p - L (x_p - x_i) [Wallstedt & Guilkey 2007, eq. 4.1, 4.3].
@@ -76,7 +77,17 @@ class Flip final : public Transfer<S> {
         for (int c = 0; c < S::dimension; ++c) {
             Real* v = batch.particles().column(Field::velocity, c) + batch.begin();
             const Real* a = batch.gathered().acceleration[static_cast<std::size_t>(c)].data();
-            for (Index i = 0; i < count; ++i) v[i] += a[i] * dt;
+            if constexpr (S::single) {
+                // What rounding leaves out is added the next time: a dt may be far smaller than v.
+                Real* rest = batch.particles().column(Field::velocity_remainder, c) + batch.begin();
+                for (Index i = 0; i < count; ++i) {
+                    const Real before = v[i], increment = rest[i] + a[i] * dt;
+                    v[i] = before + increment;
+                    rest[i] = increment - (v[i] - before);
+                }
+            } else {
+                for (Index i = 0; i < count; ++i) v[i] += a[i] * dt;
+            }
             if (pic_fraction_ == Real(0)) continue;
             const Real* grid = batch.gathered().velocity[static_cast<std::size_t>(c)].data();
             for (Index i = 0; i < count; ++i)

@@ -65,7 +65,7 @@ class LanesRubber final : public Material<Space> {
     Real treat(const Batch& batch) const {
         if constexpr (Space::dimension == 3) {
             const auto& particles = batch.particles();
-            Real* const* const f = particles.columns(particles.slot(Field::deformation_gradient));
+            Real* const* const h = particles.columns(particles.slot(Field::displacement_gradient));
             Real* const* const s = particles.columns(particles.slot(Field::stress));
             const Real* const mass = particles.column(Field::mass);
             const Real* const volume = particles.column(Field::volume);
@@ -73,7 +73,7 @@ class LanesRubber final : public Material<Space> {
             for (Index p = batch.begin(); p < batch.end(); p += lanes) {
                 const int count = static_cast<int>(std::min<Index>(lanes, batch.end() - p));
                 Lanes F[9];
-                for (std::size_t c = 0; c < 9; ++c) F[c] = load(f[c] + p, count);
+                for (std::size_t c = 0; c < 9; ++c) F[c] = load(h[c] + p, count) + Real(c % 4 == 0 ? 1 : 0);
                 const Lanes J = F[0] * (F[4] * F[8] - F[7] * F[5]) + F[3] * (F[7] * F[2] - F[1] * F[8]) +
                                 F[6] * (F[1] * F[5] - F[4] * F[2]);
                 const Lanes inverse = 1 / J, log_j = logarithm(J);

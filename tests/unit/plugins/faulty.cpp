@@ -104,10 +104,11 @@ template <class S>
 class FaultyCondition final : public BoundaryCondition<S> {
   public:
     using typename BoundaryCondition<S>::Vector;
+    using typename BoundaryCondition<S>::Position;
     static Schema schema() { return Fault::schema(); }
     explicit FaultyCondition(const Parameters& p) : fault_(p) {}
     std::array<bool, 3> prescribes(int) const override { return {true, true, true}; }
-    Vector velocity(const Vector&, double time) const override {
+    Vector velocity(const Position&, double time) const override {
         fault_.at("velocity", time);
         return Vector::UnitX();
     }

@@ -12,6 +12,7 @@ class {{Name}} final : public BoundaryCondition<Space> {
   public:
     using Real = typename Space::Real;
     using Vector = typename Space::Vector;
+    using Position = typename Space::Position;
 
     static Schema schema() {
         return Schema("Velocity A w sin(w t), w = 2 pi f, along every prescribed axis")
@@ -24,7 +25,7 @@ class {{Name}} final : public BoundaryCondition<Space> {
     /// A face lets things slide along it; a region takes them along in all directions.
     std::array<bool, 3> prescribes(int axis) const override { return {axis <= 0, axis == 1 || axis < 0, axis == 2 || axis < 0}; }
 
-    Vector velocity(const Vector&, double time) const override {
+    Vector velocity(const Position&, double time) const override {
         return Vector::Constant(Real(A_ * w_ * std::sin(w_ * time)));
     }
 

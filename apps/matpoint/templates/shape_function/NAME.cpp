@@ -10,7 +10,7 @@ struct Spline {
     static constexpr int width = 3;       // nodes that a particle reaches
     static constexpr bool sized = false;  // particles are points
 
-    /// First of these nodes; xi is the position in cells from the grid's lower corner.
+    /// First of these nodes; xi is the position in cells. Both are counted from some node of the grid.
     template <class T>
     static T base(T xi) {
         using std::floor;
