@@ -13,14 +13,14 @@
 namespace matpoint {
 namespace {
 
-constexpr const char* scene = "scene";  // listed as a kind: its keys that choose no component
+constexpr const char* scene_kind = "scene";  // listed as a kind: its keys that choose no component
 
 void print(const std::string& name, const std::string& doc) {
     std::cout << fmt::format("  {:24}{}\n", name, doc);
 }
 
 void print_own_keys() {
-    std::cout << scene << ": What a scene says beside its components\n";
+    std::cout << scene_kind << ": What a scene says beside its components\n";
     for (const Parameter* key : own_keys()) print(key->name, key->doc);
 }
 
@@ -55,8 +55,8 @@ int list(const std::vector<std::string>& arguments) {
     if (!values) return exit_done;
 
     const std::vector<std::string> wanted = arguments_of(*values);
-    if (!wanted.empty() && wanted.front() != scene && !find_kind(wanted.front())) {
-        std::vector<std::string> names{scene};
+    if (!wanted.empty() && wanted.front() != scene_kind && !find_kind(wanted.front())) {
+        std::vector<std::string> names{scene_kind};
         for (const Kind& kind : kinds()) names.push_back(kind.name);
         throw UsageError(
             fmt::format("unknown kind \"{}\"{}", wanted.front(), did_you_mean(wanted.front(), names)));
@@ -64,10 +64,10 @@ int list(const std::vector<std::string>& arguments) {
     const bool json = values->count("json") > 0;
     AllComponents components;
     Json all = Json::object();
-    if (wanted.empty() || wanted.front() == scene) {
+    if (wanted.empty() || wanted.front() == scene_kind) {
         if (json)
             for (const Parameter* key : own_keys())
-                all[scene].push_back({{"type", key->name}, {"doc", key->doc}});
+                all[scene_kind].push_back({{"type", key->name}, {"doc", key->doc}});
         else
             print_own_keys();
     }

@@ -5,7 +5,7 @@
 namespace matpoint {
 namespace {
 
-constexpr std::string_view number = "<number>", body = "<body>";
+constexpr std::string_view number_mark = "<number>", body_mark = "<body>";
 constexpr std::size_t least_digits = 6;
 
 /// A part of a pattern with parameters' texts, and a body's name, put in.
@@ -45,11 +45,11 @@ std::vector<OutputFileNames> output_files(const Json& own, const Json& scene, co
     }
     std::vector<OutputFileNames> all;
     for (const std::string& file : schema.files()) {
-        const std::size_t split = file.find(number);
+        const std::size_t split = file.find(number_mark);
         const bool numbered = split != file.npos;
         const std::string before = file.substr(0, split);
-        const std::string after = numbered ? file.substr(split + number.size()) : "";
-        const bool by_body = file.find(body) != file.npos;
+        const std::string after = numbered ? file.substr(split + number_mark.size()) : "";
+        const bool by_body = file.find(body_mark) != file.npos;
         for (std::size_t b = 0; b < (by_body ? bodies.size() : 1); ++b)
             all.push_back({filled(before, own, bodies[b]), filled(after, own, bodies[b]), numbered});
     }
