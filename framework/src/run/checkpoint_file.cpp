@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* format_name = "matpoint-checkpoint";
-constexpr std::int64_t format_version = 1;
+constexpr std::int64_t format_version = 2;
 
 void write_body(hid_t parent, const std::string& name, const CheckpointData::Body& body) {
     const hdf5::Handle group = hdf5::create_group(parent, name);
@@ -160,6 +160,11 @@ void expect_version(const fs::path& file, hid_t id) {
             fmt::format("checkpoint {} has format version {}, and this Matpoint reads versions up to {}: "
                         "use the newer Matpoint that wrote it",
                         file.string(), version, format_version));
+    if (version < format_version)
+        throw CheckpointError(fmt::format(
+            "checkpoint {} has format version {}, whose particles carry other fields than those of "
+            "version {}: use the Matpoint that wrote it, or run from the start",
+            file.string(), version, format_version));
 }
 
 }  // namespace

@@ -154,10 +154,15 @@ void Engine<S>::project(typename Phases<S>::Projection projection) {
             for (int c = 0; c < S::dimension; ++c)
                 std::copy_n(patch_.column(NodeField::velocity, c), patch_.node_count(),
                             patch_.column(NodeField::acceleration, c));
-        finish_velocity(NodeField::velocity, velocity_from_, !projection.internal_force);
+        finish_velocity(NodeField::velocity, velocity_from_);
         if (share > 0)
             add_reactions(NodeField::acceleration, NodeField::velocity, static_cast<double>(share),
                           velocity_from_);
+        if (!projection.internal_force) {  // it is to be read before it is accelerated
+            light_nodes_.keep_velocity(patch_);
+            light_nodes_.follow_velocity(patch_, NodeField::velocity);
+            walls_.fill_velocity(patch_, NodeField::velocity, velocity_from_);
+        }
     }
     if (projection.internal_force) walls_.fold_force(patch_, NodeField::force);
 }
@@ -187,7 +192,7 @@ void Engine<S>::apply_loads() {
 }
 
 template <class S>
-void Engine<S>::finish_velocity(NodeField field, double time, bool read) {
+void Engine<S>::finish_velocity(NodeField field, double time) {
     // However small the mass, momentum over mass is a mean of the particles' velocities, which read it
     // back: cutting it off would strain a body that flies freely.
     const Real* mass = patch_.column(NodeField::mass);
@@ -199,10 +204,6 @@ void Engine<S>::finish_velocity(NodeField field, double time, bool read) {
         }
     });
     walls_.constrain(patch_, field, time);
-    if (read) {
-        if (field == NodeField::velocity) light_nodes_.keep_velocity(patch_);
-        light_nodes_.follow_velocity(patch_, field);
-    }
     walls_.fill_velocity(patch_, field, time);
 }
 
@@ -235,7 +236,10 @@ void Engine<S>::accelerate(Real dt, Real factor) {
         }
     });
     walls_.constrain(patch_, NodeField::velocity, velocity_to_);
-    light_nodes_.follow_velocity(patch_, NodeField::velocity, components_.transfer->grid_share() / dt);
+    const Real share = components_.transfer->grid_share() / dt;
+    if (share > 0) walls_.fill_velocity(patch_, NodeField::velocity, velocity_to_);
+    light_nodes_.follow_velocity(patch_, NodeField::velocity, share);
+    if (share > 0) walls_.add_change_of_ghosts(patch_, NodeField::velocity, velocity_to_, share);
     walls_.fill_acceleration(patch_, velocity_from_, velocity_to_, dt_);
     walls_.fill_velocity(patch_, NodeField::velocity, velocity_to_);
     add_reactions(NodeField::force, NodeField::acceleration, dt_, (velocity_from_ + velocity_to_) / 2);
@@ -284,7 +288,9 @@ void Engine<S>::remap() {
     patch_.clear(NodeField::remapped_velocity);
     scatter({.momentum = NodeField::remapped_velocity});
     walls_.fold_momentum(patch_, NodeField::remapped_velocity, velocity_to_);
-    finish_velocity(NodeField::remapped_velocity, velocity_to_, true);
+    finish_velocity(NodeField::remapped_velocity, velocity_to_);
+    light_nodes_.follow_velocity(patch_, NodeField::remapped_velocity);
+    walls_.fill_velocity(patch_, NodeField::remapped_velocity, velocity_to_);
 }
 
 #define MATPOINT_INSTANTIATE(S) template class Engine<S>;

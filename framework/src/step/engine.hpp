@@ -140,9 +140,8 @@ class Engine final : public Phases<S> {
     bool extends(NodeField momentum) const;
     void fold_light_nodes(NodeField momentum);
     void apply_loads();
-    /// Momentum to velocity, zero where there is hardly any mass; then walls, at `time`, and light nodes, if
-    /// particles will read it.
-    void finish_velocity(NodeField field, double time, bool read);
+    /// Momentum to velocity, zero where there is hardly any mass; then walls, at `time`.
+    void finish_velocity(NodeField field, double time);
     void add_load_work(Real dt, Real factor);
     /// Puts particles back that are beyond closed faces by hardly more than nothing.
     void hold_at_walls();

@@ -190,6 +190,22 @@ void Walls<S>::fill_acceleration(Patch<S>& patch, double from, double to, double
 }
 
 template <class S>
+void Walls<S>::add_change_of_ghosts(Patch<S>& patch, NodeField field, double time, Real share) const {
+    const Real* const mass = patch.column(NodeField::mass);
+    for (const Face& face : faces_)
+        for (int c = 0; c < S::dimension; ++c) {
+            const int condition = face.condition[static_cast<std::size_t>(c)];
+            if (condition < 0) continue;
+            const Real* const v = patch.column(field, c);
+            Real* const force = patch.column(NodeField::force, c);
+            for (const Link& link : face.links)
+                force[link.ghost] +=
+                    share * mass[link.ghost] *
+                    (v[link.ghost] + v[link.inner] - 2 * velocity(condition, c, link.position, time));
+        }
+}
+
+template <class S>
 std::optional<Exit> Walls<S>::exit(const Face& face, const Patch<S>& patch, const Position& x,
                                    double time) const {
     const double inwards = face.side == 0 ? 1 : -1;

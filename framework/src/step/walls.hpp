@@ -83,6 +83,10 @@ class Walls {
     void reaction(const Patch<S>& patch, NodeField source, NodeField value, double time,
                   std::vector<Sum>& sums) const;
 
+    /// After velocities have changed within, with ghosts still as they were: adds `share` times what those of
+    /// prescribed components change by, as the images of nodes within, to the force that reaction() reads.
+    void add_change_of_ghosts(Patch<S>& patch, NodeField velocity, double time, Real share) const;
+
     /// The face that a particle at `x` is beyond, if there is one. It is closed where its condition
     /// prescribes the normal velocity, and none that carries particles out, at `time`.
     std::optional<Exit> exit(const Patch<S>& patch, const Position& x, double time) const;
