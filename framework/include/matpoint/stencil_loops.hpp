@@ -5,6 +5,7 @@
 #include <matpoint/tile.hpp>
 
 #include <array>
+#include <utility>
 
 namespace matpoint {
 
@@ -117,25 +118,29 @@ struct StencilLoops {
     /// in all with the same stencil, for all its nodes, which begin at `nodes`.
     template <int count>
     static void send(Sent sent, const Senders& from, int i, Real* nodes) {
-        if constexpr (parts == 1) {
-            if (sent.affine)
-                send_part<0, Slopes::own, count>(from, i, nodes);
-            else if (sent.force)
-                send_part<0, Slopes::force, count>(from, i, nodes);
-            else
-                send_part<0, Slopes::none, count>(from, i, nodes);
+        send_parts<count>(sent, from, i, nodes, std::make_integer_sequence<int, parts>());
+    }
+    template <int count, int... part>
+    static void send_parts(Sent sent, const Senders& from, int i, Real* nodes,
+                           std::integer_sequence<int, part...>) {
+        (send_part<part, count>(sent, from, i, nodes), ...);
+    }
+    template <int part, int count>
+    static void send_part(Sent sent, const Senders& from, int i, Real* nodes) {
+        if (!sent.uses(part)) return;
+        if constexpr (half_of(part) == 1) {
+            add_part<part, Slopes::force, count>(from, i, nodes);
         } else {
-            if (sent.affine)
-                send_part<0, Slopes::own, count>(from, i, nodes);
-            else if (sent.motion)
-                send_part<0, Slopes::none, count>(from, i, nodes);
-            if (sent.force) send_part<1, Slopes::force, count>(from, i, nodes);
+            if (sent.affine) return add_part<part, Slopes::own, count>(from, i, nodes);
+            if constexpr (parts == 1)
+                if (sent.force) return add_part<part, Slopes::force, count>(from, i, nodes);
+            add_part<part, Slopes::none, count>(from, i, nodes);
         }
     }
 
     /// The same for the lanes of one part. A node is read and written once for all `count` particles.
     template <int part, Slopes slopes, int count>
-    static void send_part(const Senders& from, int i, Real* nodes) {
+    static void add_part(const Senders& from, int i, Real* nodes) {
         constexpr bool flux = slopes != Slopes::none;
         const auto load = [&](const auto& records, int p) {
             return Lanes::load(records[i + p].data() + part * Lanes::lanes);

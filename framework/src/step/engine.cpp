@@ -236,14 +236,21 @@ void Engine<S>::accelerate(Real dt, Real factor) {
         }
     });
     walls_.constrain(patch_, NodeField::velocity, velocity_to_);
-    const Real share = components_.transfer->grid_share() / dt;
-    if (share > 0) walls_.fill_velocity(patch_, NodeField::velocity, velocity_to_);
-    light_nodes_.follow_velocity(patch_, NodeField::velocity, share);
-    if (share > 0) walls_.add_change_of_ghosts(patch_, NodeField::velocity, velocity_to_, share);
+    follow_light_nodes(components_.transfer->grid_share() / dt);
     walls_.fill_acceleration(patch_, velocity_from_, velocity_to_, dt_);
     walls_.fill_velocity(patch_, NodeField::velocity, velocity_to_);
     add_reactions(NodeField::force, NodeField::acceleration, dt_, (velocity_from_ + velocity_to_) / 2);
     if (loaded) add_load_work(dt, factor);
+}
+
+/// `share` of the velocity becomes the particles', 1/s: walls take what light nodes give to them and their
+/// images.
+template <class S>
+void Engine<S>::follow_light_nodes(Real share) {
+    const bool count = share > 0 && !light_nodes_.empty();
+    if (count) walls_.fill_velocity(patch_, NodeField::velocity, velocity_to_);
+    light_nodes_.follow_velocity(patch_, NodeField::velocity, share);
+    if (count) walls_.add_change_of_ghosts(patch_, NodeField::velocity, velocity_to_, share);
 }
 
 template <class S>

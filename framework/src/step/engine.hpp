@@ -142,6 +142,7 @@ class Engine final : public Phases<S> {
     void apply_loads();
     /// Momentum to velocity, zero where there is hardly any mass; then walls, at `time`.
     void finish_velocity(NodeField field, double time);
+    void follow_light_nodes(Real share);
     void add_load_work(Real dt, Real factor);
     /// Puts particles back that are beyond closed faces by hardly more than nothing.
     void hold_at_walls();
