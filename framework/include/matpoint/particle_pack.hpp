@@ -74,7 +74,10 @@ class ParticlePack {
     MATPOINT_INLINE Number density() const { return mass() / volume(); }
     /// F at the end of the step (the material must ask for it: Material::uses_deformation_gradient).
     MATPOINT_INLINE Tensor<S, Number> deformation_gradient() const {
-        return Tensor<S, Number>::identity() + displacement_gradient();
+        Tensor<S, Number> t = displacement_gradient();
+        for (int a = 0; a < S::dimension; ++a) t.plane(a, a) += Number(1);
+        if constexpr (S::has_normal) t.normal += Number(1);
+        return t;
     }
     /// H = F - I, in which a small strain keeps all its digits: volume_change, squared_strain.
     MATPOINT_INLINE Tensor<S, Number> displacement_gradient() const {
