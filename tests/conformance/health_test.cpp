@@ -116,6 +116,9 @@ TEST_F(Health, NotFiniteIsTold) {
 
 TEST_F(Health, NotFiniteIsToldOfAParticleThatIsNot) {
     Json scene = falling_block();
+    scene["shape_function"] = {{"type", "linear"}};  // sums with weights that are 0 are not numbers
+    scene["transfer"] = {{"type", "flip"}};
+    scene["integrator"] = {{"type", "musl"}};
     for (Json& material : scene["materials"]) material["density"] = 1e6;  // the force overflows
     scene["loads"] = {{{"type", "body_force"}, {"acceleration", {"x > 0.7 ? 1e308 : 0", 0}}}};
     const RunResult result = run(scene);

@@ -16,6 +16,7 @@ Json one_particle_scene(const std::string& integrator, const Json& time) {
         "space": {"dimension": 1},
         "grid": {"type": "uniform", "min": [0]},
         "shape_function": {"type": "linear"},
+        "transfer": {"type": "flip"},
         "materials": {"rubber": {"type": "neo_hookean"}},
         "bodies": {"bar": {"material": "rubber", "particles_per_cell": 1}},
         "boundary_conditions": [{"type": "fixed", "on": "x_min"}],

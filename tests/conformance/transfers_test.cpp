@@ -52,6 +52,11 @@ TEST(Apic, TakesTheGridsVelocity) {
     EXPECT_DOUBLE_EQ(updated({{"type", "apic"}}), 5);
 }
 
+TEST(AffineFlip, AddsTheAccelerationAndMixesTheGridsVelocity) {
+    EXPECT_DOUBLE_EQ(updated({{"type", "affine_flip"}, {"pic_fraction", 0}}), 3);
+    EXPECT_DOUBLE_EQ(updated({{"type", "affine_flip"}, {"pic_fraction", 0.25}}), 0.75 * 3 + 0.25 * 5);
+}
+
 TEST(Flip, KnowsWhatGradientEnhancementNeeds) {
     const Schema schema = schema_of("transfer", "flip");
     const auto scene = [](const char* integrator, const char* shape) {

@@ -105,7 +105,12 @@ class EveryShape : public testing::TestWithParam<Json> {};
 /// from the origin is as good as there.
 TEST_P(EveryShape, FarFromTheOriginIsNoFurtherInSinglePrecision) {
     Json here = moved(0), away = moved(1e4);
-    for (Json* scene : {&here, &away}) (*scene)["shape_function"] = GetParam();
+    for (Json* scene : {&here, &away}) {
+        (*scene)["shape_function"] = GetParam();
+        // Close to a node, moments of linear functions are next to nothing, and so is what is divided by
+        // them.
+        if (GetParam().at("type") == "linear") (*scene)["transfer"] = {{"type", "flip"}};
+    }
     away["space"]["precision"] = "single";
     Simulated exact(here), single(away);
     exact.advance(steps);

@@ -20,17 +20,18 @@ class FakeCatalogue final : public Catalogue {
                 .vector("min", {.unit = "m"})
                 .vector("max", {.unit = "m"})
                 .add("cell_size", ParameterType::per_axis, {.unit = "m", .greater_than = 0}));
-        add("shape_function", "linear", Schema("Hat functions"));
+        add("shape_function", "bspline", Schema("Smooth functions"));
         add("shape_function", "gimp",
             Schema().choice("domain", {.default_value = "contiguous", .choices = {"contiguous", "uniform"}}));
         add("transfer", "flip",
             Schema().number("pic_fraction", {.default_value = 0, .at_least = 0, .at_most = 1}));
+        add("transfer", "affine_flip", Schema());
         add("transfer", "apic",
-            Schema().dimensions({2, 3}).warn("", "apic is dissipative with linear shape functions",
+            Schema().dimensions({2, 3}).warn("", "apic is dissipative with splines",
                                              [](const Json&, const Json& scene) {
-                                                 return scene.at("shape_function").at("type") == "linear";
+                                                 return scene.at("shape_function").at("type") == "bspline";
                                              }));
-        add("integrator", "musl", Schema());
+        add("integrator", "central_difference", Schema());
         add("integrator", "usl", Schema());
         add("material", "neo_hookean",
             Schema("Compressible rubber", "[Author 2000, eq. 1]")

@@ -18,8 +18,8 @@ TEST(scene, resolves_units_lists_and_defaults) {
     EXPECT_EQ(r["grid"]["max"], Json({2.0, 1}));
     EXPECT_EQ(r["grid"]["cell_size"], Json({0.1, 0.1}));
     EXPECT_EQ(r["grid"]["light_nodes"], 0.1);
-    EXPECT_EQ(r["shape_function"], (Json{{"type", "linear"}}));
-    EXPECT_EQ(r["integrator"], (Json{{"type", "musl"}}));
+    EXPECT_EQ(r["shape_function"], (Json{{"type", "bspline"}}));
+    EXPECT_EQ(r["integrator"], (Json{{"type", "central_difference"}}));
     EXPECT_EQ(r["time"], (Json{{"end", 0.01}, {"cfl", 0.4}}));
     EXPECT_DOUBLE_EQ(r["materials"]["rubber"]["youngs_modulus"].get<double>(), 4.2e6);
     EXPECT_EQ(r["bodies"]["disk"]["particles_per_cell"], Json({3, 3}));
@@ -120,11 +120,11 @@ TEST(scene, reports_each_mistake_in_words) {
         {{"/materials/rubber/type=neo_hokean"},
          "/materials/rubber/type: unknown material \"neo_hokean\"; did you mean \"neo_hookean\"?"},
         {{"/materials={}"}, "/materials: expected an object of at least 1 named item(s), got {}"},
-        {{"/shape_function={}"}, "/shape_function: missing key \"type\"; expected one of gimp, linear"},
+        {{"/shape_function={}"}, "/shape_function: missing key \"type\"; expected one of bspline, gimp"},
         {{"/shape_function=gimp"},
          "/shape_function: expected a shape_function: an object with \"type\", got \"gimp\""},
         {{"/transfer/type=apic"}, "/transfer/pic_fraction: unknown key; it is a parameter of \"flip\""},
-        {{"/integrator={\"type\": 3}"}, "/integrator/type: unknown integrator 3; expected one of musl, usl"},
+        {{"/integrator={\"type\": 3}"}, "/integrator/type: unknown integrator 3; expected one of central_difference, usl"},
         {{"/contacts/0/between/0=dsk"},
          "/contacts/0/between/0: no \"dsk\" in /bodies; did you mean \"disk\"?"},
         {{"/contacts/0/between/1=7"}, "/contacts/0/between/1: expected a name in /bodies, got 7"},
@@ -190,7 +190,7 @@ TEST(scene, reports_all_mistakes_at_once_by_line) {
 
 TEST(scene, warns_without_refusing) {
     EXPECT_EQ(complaints({"/transfer={\"type\": \"apic\"}"}),
-              "--set /transfer: warning: /transfer: apic is dissipative with linear shape functions\n");
+              "--set /transfer: warning: /transfer: apic is dissipative with splines\n");
     EXPECT_EQ(complaints({"/transfer={\"type\": \"apic\"}", "/shape_function={\"type\": \"gimp\"}"}), "");
 }
 

@@ -136,14 +136,16 @@ Schema make_scene_schema() {
         .add("grid", ParameterType::component, {.doc = "Background grid", .start_only = true, .kind = "grid"})
         .add("shape_function", ParameterType::component,
              {.doc = "Grid basis and particle domain",
-              .default_value = type("linear"),
+              .default_value = type("bspline"),
               .kind = "shape_function"})
         .add("transfer", ParameterType::component,
              {.doc = "How velocity goes to the grid and back",
-              .default_value = type("flip"),
+              .default_value = type("affine_flip"),
               .kind = "transfer"})
         .add("integrator", ParameterType::component,
-             {.doc = "Order of the phases of a step", .default_value = type("musl"), .kind = "integrator"})
+             {.doc = "Order of the phases of a step",
+              .default_value = type("central_difference"),
+              .kind = "integrator"})
         .add("time", ParameterType::object, {.doc = "Simulated time", .nested = nested(time_schema())})
         .add("materials", ParameterType::map,
              {.doc = "Constitutive models by name", .at_least = 1, .kind = "material"})

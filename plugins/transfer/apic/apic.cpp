@@ -1,7 +1,6 @@
 #include <matpoint/plugin.hpp>
 #include <matpoint/transfer.hpp>
-
-#include <algorithm>
+#include <matpoint/velocity_update.hpp>
 
 namespace matpoint {
 namespace {
@@ -28,14 +27,8 @@ class Apic final : public Transfer<S> {
 
     /// v_p = sum S v_i, C_p = B_p D_p^-1 [Jiang et al. 2015].
     void update(const ParticleBatch<S>& batch, Real) const override {
-        const Index count = batch.end() - batch.begin();
-        const auto copy = [&](const auto& columns, Field field) {
-            for (std::size_t c = 0; c < columns.size(); ++c)
-                std::copy_n(columns[c].data(), count,
-                            batch.particles().column(field, static_cast<int>(c)) + batch.begin());
-        };
-        copy(batch.gathered().velocity, Field::velocity);
-        copy(batch.gathered().affine, Field::affine_velocity);
+        mix_velocity(batch, Real(1));
+        take_affine_velocity(batch);
     }
 };
 

@@ -1,5 +1,6 @@
 #include <matpoint/plugin.hpp>
 #include <matpoint/transfer.hpp>
+#include <matpoint/velocity_update.hpp>
 
 namespace matpoint {
 namespace {
@@ -71,28 +72,10 @@ class Flip final : public Transfer<S> {
     bool needs_acceleration() const override { return true; }
     Real grid_share() const override { return pic_fraction_; }
 
-    /// v_p += sum S a dt [Wallstedt & Guilkey 2008, eq. 18], mixed with the grid's velocity.
+    /// The grid's acceleration is added [Wallstedt & Guilkey 2008, eq. 18], and its velocity mixed in.
     void update(const ParticleBatch<S>& batch, Real dt) const override {
-        const Index count = batch.end() - batch.begin();
-        for (int c = 0; c < S::dimension; ++c) {
-            Real* v = batch.particles().column(Field::velocity, c) + batch.begin();
-            const Real* a = batch.gathered().acceleration[static_cast<std::size_t>(c)].data();
-            if constexpr (S::single) {
-                // What rounding leaves out is added the next time: a dt may be far smaller than v.
-                Real* rest = batch.particles().column(Field::velocity_remainder, c) + batch.begin();
-                for (Index i = 0; i < count; ++i) {
-                    const Real before = v[i], increment = rest[i] + a[i] * dt;
-                    v[i] = before + increment;
-                    rest[i] = increment - (v[i] - before);
-                }
-            } else {
-                for (Index i = 0; i < count; ++i) v[i] += a[i] * dt;
-            }
-            if (pic_fraction_ == Real(0)) continue;
-            const Real* grid = batch.gathered().velocity[static_cast<std::size_t>(c)].data();
-            for (Index i = 0; i < count; ++i)
-                v[i] = (Real(1) - pic_fraction_) * v[i] + pic_fraction_ * grid[i];
-        }
+        add_acceleration(batch, dt);
+        mix_velocity(batch, pic_fraction_);
     }
 
   private:
