@@ -20,16 +20,16 @@ constexpr double most_places = std::numeric_limits<std::uint32_t>::max();
 
 }  // namespace
 
-template <class S>
-CellLattice<S>::CellLattice(const Patch<S>& patch, const Geometry::Bounds& box,
-                            const std::array<int, 3>& per_cell) {
+CellLattice::CellLattice(const std::vector<CellAxis>& cells, const Geometry::Bounds& box,
+                         const std::array<int, 3>& per_cell)
+    : dimension_(static_cast<int>(cells.size())) {
     double places = 1;
-    for (int a = 0; a < S::dimension; ++a) {
-        const auto i = static_cast<std::size_t>(a);
-        axes_[i] = make_axis(patch, box, a, per_cell[i]);
-        edges_[a] = axes_[i].cell_size / per_cell[i];
-        area_ *= edges_[a];
-        places *= axes_[i].size();
+    for (std::size_t a = 0; a < cells.size(); ++a) {
+        const auto i = static_cast<Eigen::Index>(a);
+        axes_[a] = make_axis(cells[a], box.min[i], box.max[i], per_cell[a]);
+        edges_[i] = axes_[a].cell_size / per_cell[a];
+        area_ *= edges_[i];
+        places *= axes_[a].size();
     }
     if (places > most_places)
         throw std::invalid_argument(
@@ -38,28 +38,24 @@ CellLattice<S>::CellLattice(const Patch<S>& patch, const Geometry::Bounds& box,
     rows_per_piece_ = std::max<Index>(1, piece_size / std::max<Index>(1, row_size()));
 }
 
-template <class S>
-typename CellLattice<S>::Axis CellLattice<S>::make_axis(const Patch<S>& patch, const Geometry::Bounds& box,
-                                                        int a, int per_cell) {
+CellLattice::Axis CellLattice::make_axis(const CellAxis& cells, double min, double max, int per_cell) {
     Axis axis;
-    axis.min = patch.min()[a];
-    axis.cell_size = patch.cell_size()[a];
-    const double cells = patch.cells()[static_cast<std::size_t>(a)];
+    axis.min = cells.min;
+    axis.cell_size = cells.cell_size;
     // One cell more on both sides, for the rounding of bounds that lie on a cell's face.
     const auto cell = [&](double bound, double more) {
         const double number = std::floor((bound - axis.min) / axis.cell_size) + more;
-        return static_cast<int>(std::clamp(number, 0.0, cells));
+        return static_cast<int>(std::clamp(number, 0.0, double(cells.cells)));
     };
-    axis.first = cell(box.min[a], -1);
+    axis.first = cell(min, -1);
     axis.per_cell = per_cell;
-    const int places = std::max(0, cell(box.max[a], 2) - axis.first) * per_cell;
+    const int places = std::max(0, cell(max, 2) - axis.first) * per_cell;
     axis.coordinates.clear();
     for (int place = 0; place < places; ++place) axis.coordinates.push_back(axis.within(place, 0.5));
     return axis;
 }
 
-template <class S>
-Index CellLattice<S>::number(const Place& place) const {
+Index CellLattice::number(const Place& place) const {
     const auto& [x, y, z] = axes_;
     const Index row = place[1] / y.per_cell + Index{place[2] / z.per_cell} * y.cells();
     const Index cell = row * x.cells() + place[0] / x.per_cell;
@@ -67,8 +63,7 @@ Index CellLattice<S>::number(const Place& place) const {
            place[0] % x.per_cell;
 }
 
-template <class S>
-typename CellLattice<S>::Place CellLattice<S>::place(Index number) const {
+CellLattice::Place CellLattice::place(Index number) const {
     Place place;
     const auto divide = [&](Index by) {
         const Index rest = number % by;
@@ -80,16 +75,14 @@ typename CellLattice<S>::Place CellLattice<S>::place(Index number) const {
     return place;
 }
 
-template <class S>
-std::vector<Eigen::Vector3d> CellLattice<S>::middles(Index piece) const {
+std::vector<Eigen::Vector3d> CellLattice::middles(Index piece) const {
     std::vector<Eigen::Vector3d> middles;
     middles.reserve(static_cast<std::size_t>(begin(piece + 1) - begin(piece)));
     for_each(piece, [&](const Eigen::Vector3d& middle) { middles.push_back(middle); });
     return middles;
 }
 
-template <class S>
-std::vector<typename CellLattice<S>::Place> CellLattice<S>::lines(Index piece) const {
+std::vector<CellLattice::Place> CellLattice::lines(Index piece) const {
     const auto& [x, y, z] = axes_;
     std::vector<Place> lines;
     const Index end = std::min(rows(), (piece + 1) * rows_per_piece_);
@@ -101,16 +94,12 @@ std::vector<typename CellLattice<S>::Place> CellLattice<S>::lines(Index piece) c
     return lines;
 }
 
-template <class S>
-std::vector<double> CellLattice<S>::planes(int axis) const {
+std::vector<double> CellLattice::planes(int axis) const {
     const Axis& along = axes_[static_cast<std::size_t>(axis)];
     std::vector<double> planes;
     for (int place = 0; place < along.size(); ++place) planes.push_back(along.within(place, 0));
     if (!planes.empty()) planes.push_back(along.within(along.size() - 1, 1));
     return planes;
 }
-
-#define MATPOINT_INSTANTIATE(S) template class CellLattice<S>;
-MATPOINT_FOR_EACH_SPACE(MATPOINT_INSTANTIATE)
 
 }  // namespace matpoint

@@ -9,16 +9,33 @@
 
 namespace matpoint {
 
+/// The cells of a grid along an axis.
+struct CellAxis {
+    double min, cell_size;  ///< m
+    int cells;
+};
+
+/// One for each axis of the space.
+template <class S>
+std::vector<CellAxis> cell_axes(const Patch<S>& patch) {
+    std::vector<CellAxis> axes;
+    for (int a = 0; a < S::dimension; ++a)
+        axes.push_back({patch.min()[a], patch.cell_size()[a], patch.cells()[static_cast<std::size_t>(a)]});
+    return axes;
+}
+
 /// A lattice of places for particles, equally many in every cell of the grid, as far as a box reaches. It is
 /// handed out in pieces, so that the list of all places never exists.
-template <class S>
 class CellLattice {
   public:
     /// Counted along each axis of the lattice, 0 along axes that the space lacks.
     using Place = std::array<int, 3>;
 
     /// Throws std::invalid_argument if there are more places than the particles' numbers can tell apart.
-    CellLattice(const Patch<S>& patch, const Geometry::Bounds& box, const std::array<int, 3>& per_cell);
+    CellLattice(const std::vector<CellAxis>& cells, const Geometry::Bounds& box,
+                const std::array<int, 3>& per_cell);
+
+    int dimension() const { return dimension_; }
 
     /// A piece is some rows of cells along x. Piece by piece, places are numbered cell by cell.
     Index pieces() const { return (rows() + rows_per_piece_ - 1) / rows_per_piece_; }
@@ -69,19 +86,19 @@ class CellLattice {
         }
     };
 
-    static Axis make_axis(const Patch<S>& patch, const Geometry::Bounds& box, int a, int per_cell);
+    static Axis make_axis(const CellAxis& cells, double min, double max, int per_cell);
     Index rows() const { return Index{axes_[1].cells()} * axes_[2].cells(); }
     Index row_size() const { return Index{axes_[0].size()} * axes_[1].per_cell * axes_[2].per_cell; }
 
+    int dimension_;
     std::array<Axis, 3> axes_;
     Eigen::Vector3d edges_ = Eigen::Vector3d::Zero();
     double area_ = 1;
     Index rows_per_piece_ = 1;
 };
 
-template <class S>
 template <class Take>
-void CellLattice<S>::for_each(Index piece, const Take& take) const {
+void CellLattice::for_each(Index piece, const Take& take) const {
     const auto& [x, y, z] = axes_;
     const Index begin = piece * rows_per_piece_, end = std::min(rows(), begin + rows_per_piece_);
     for (Index row = begin; row < end; ++row) {

@@ -25,18 +25,16 @@ double resolution(const std::vector<double>& planes) {
 
 /// Parts of a place's edge with four lines each. The smaller the body, the more, so that the sum over its
 /// lines is as exact: to 1e-3 of the volume or better.
-template <class S>
-int rule_parts(const CellLattice<S>& lattice) {
-    if (S::dimension == 1) return 1;
+int rule_parts(const CellLattice& lattice) {
+    if (lattice.dimension() == 1) return 1;
     const double places = double(lattice.size(1)) * lattice.size(2);
-    return S::dimension == 2 ? static_cast<int>(std::clamp(4096 / places, 2.0, 64.0))
-                             : static_cast<int>(std::clamp(std::sqrt(8192 / places), 1.0, 8.0));
+    return lattice.dimension() == 2 ? static_cast<int>(std::clamp(4096 / places, 2.0, 64.0))
+                                    : static_cast<int>(std::clamp(std::sqrt(8192 / places), 1.0, 8.0));
 }
 
 }  // namespace
 
-template <class S>
-FilledPlaces<S>::FilledPlaces(CellLattice<S> lattice, const Geometry& region, Seeding seeding)
+FilledPlaces::FilledPlaces(CellLattice lattice, const Geometry& region, Seeding seeding)
     : lattice_(std::move(lattice)), whole_(static_cast<std::size_t>(lattice_.pieces())) {
     if (seeding == Seeding::centres) {
         parallel_for(pieces(), lattice_.size(), [&](Index piece) { take_whole(piece, region); });
@@ -47,17 +45,15 @@ FilledPlaces<S>::FilledPlaces(CellLattice<S> lattice, const Geometry& region, Se
     count();
 }
 
-template <class S>
-void FilledPlaces<S>::take_whole(Index piece, const Geometry& region) {
+void FilledPlaces::take_whole(Index piece, const Geometry& region) {
     const std::vector<char> inside = region.contains(lattice_.middles(piece));
     if (std::ranges::any_of(inside, [](char in) { return in != 0; }))
         whole_[static_cast<std::size_t>(piece)].assign(inside.begin(), inside.end());
 }
 
-template <class S>
-void FilledPlaces<S>::fill(const Geometry& region) {
+void FilledPlaces::fill(const Geometry& region) {
     LineRules rules;
-    for (int a = 1; a < S::dimension; ++a) {
+    for (int a = 1; a < lattice_.dimension(); ++a) {
         const std::vector<double> planes = lattice_.planes(a);
         rules[static_cast<std::size_t>(a)] =
             LineRule(planes, region.breaks(a), resolution(planes), rule_parts(lattice_));
@@ -74,9 +70,8 @@ void FilledPlaces<S>::fill(const Geometry& region) {
     for (const std::vector<Part>& own : parts) parts_.insert(parts_.end(), own.begin(), own.end());
 }
 
-template <class S>
-std::vector<typename FilledPlaces<S>::Part> FilledPlaces<S>::fill_piece(Index piece, const Geometry& region,
-                                                                        const LineRules& rules) {
+std::vector<FilledPlaces::Part> FilledPlaces::fill_piece(Index piece, const Geometry& region,
+                                                         const LineRules& rules) {
     const std::vector<double> planes = lattice_.planes(0);
     const Index begin = lattice_.begin(piece);
     std::vector<bool> whole(static_cast<std::size_t>(lattice_.begin(piece + 1) - begin));
@@ -114,8 +109,7 @@ std::vector<typename FilledPlaces<S>::Part> FilledPlaces<S>::fill_piece(Index pi
     return parts;
 }
 
-template <class S>
-void FilledPlaces<S>::give_to_neighbours() {
+void FilledPlaces::give_to_neighbours() {
     std::vector<std::size_t> givers;
     for (std::size_t i = 0; i < parts_.size(); ++i)
         if (!parts_[i].particle) givers.push_back(i);
@@ -145,8 +139,7 @@ void FilledPlaces<S>::give_to_neighbours() {
 
 /// Neighbours that are particles, or else those that have more than twice as much; of these the nearest, all
 /// that are equally near.
-template <class S>
-std::vector<Index> FilledPlaces<S>::receivers(const Part& part) const {
+std::vector<Index> FilledPlaces::receivers(const Part& part) const {
     struct Neighbour {
         Index number;
         double distance;
@@ -180,23 +173,20 @@ std::vector<Index> FilledPlaces<S>::receivers(const Part& part) const {
     return nearest;
 }
 
-template <class S>
-bool FilledPlaces<S>::is_whole(Index number) const {
+bool FilledPlaces::is_whole(Index number) const {
     const Index piece = lattice_.piece_of(number);
     const std::vector<bool>& whole = whole_[static_cast<std::size_t>(piece)];
     return !whole.empty() && whole[static_cast<std::size_t>(number - lattice_.begin(piece))];
 }
 
 /// The first part with this number or one beyond.
-template <class S>
-std::size_t FilledPlaces<S>::first_part(Index number) const {
+std::size_t FilledPlaces::first_part(Index number) const {
     const auto found = std::ranges::lower_bound(parts_, number, {}, &Part::number);
     return static_cast<std::size_t>(found - parts_.begin());
 }
 
 /// Of the whole places that are given something, fillings are kept too.
-template <class S>
-void FilledPlaces<S>::make_parts(const std::vector<Gift>& gifts) {
+void FilledPlaces::make_parts(const std::vector<Gift>& gifts) {
     const auto old = static_cast<std::ptrdiff_t>(parts_.size());
     for (const Gift& gift : gifts)
         for (const Index number : gift.to) {
@@ -210,8 +200,7 @@ void FilledPlaces<S>::make_parts(const std::vector<Gift>& gifts) {
     std::ranges::inplace_merge(parts_, parts_.begin() + old, {}, &Part::number);
 }
 
-template <class S>
-void FilledPlaces<S>::count() {
+void FilledPlaces::count() {
     begins_.assign(1, 0);
     std::size_t part = 0;
     for (Index piece = 0; piece < pieces(); ++piece) {
@@ -222,8 +211,5 @@ void FilledPlaces<S>::count() {
         part = end;
     }
 }
-
-#define MATPOINT_INSTANTIATE(S) template class FilledPlaces<S>;
-MATPOINT_FOR_EACH_SPACE(MATPOINT_INSTANTIATE)
 
 }  // namespace matpoint

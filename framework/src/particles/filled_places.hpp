@@ -22,10 +22,9 @@ enum class Seeding {
 /// thinner than the distance of places, the place gets a particle nevertheless.
 ///
 /// Of parts that are whole, a bit is kept; fillings are kept of the others only.
-template <class S>
 class FilledPlaces {
   public:
-    FilledPlaces(CellLattice<S> lattice, const Geometry& region, Seeding seeding);
+    FilledPlaces(CellLattice lattice, const Geometry& region, Seeding seeding);
 
     Index size() const { return begins_.back(); }
     Index pieces() const { return lattice_.pieces(); }
@@ -36,7 +35,7 @@ class FilledPlaces {
     void for_each(Index piece, const Take& take) const;
 
   private:
-    using Place = typename CellLattice<S>::Place;
+    using Place = CellLattice::Place;
     struct Part {
         Index number;  ///< of the place
         Filling filling;
@@ -59,15 +58,14 @@ class FilledPlaces {
     std::size_t first_part(Index number) const;
     void count();
 
-    CellLattice<S> lattice_;
+    CellLattice lattice_;
     std::vector<std::vector<bool>> whole_;  ///< by piece; empty if nothing is
     std::vector<Part> parts_;               ///< by number
     std::vector<Index> begins_;             ///< by piece, number of its first particle; then that of all
 };
 
-template <class S>
 template <class Take>
-void FilledPlaces<S>::for_each(Index piece, const Take& take) const {
+void FilledPlaces::for_each(Index piece, const Take& take) const {
     if (begin(piece + 1) == begin(piece)) return;
     const std::vector<bool>& whole = whole_[static_cast<std::size_t>(piece)];
     std::size_t part = first_part(lattice_.begin(piece)), i = 0;
@@ -78,7 +76,8 @@ void FilledPlaces<S>::for_each(Index piece, const Take& take) const {
         if (part == parts_.size() || parts_[part].number != number) return;
         const Filling& filling = parts_[part++].filling;
         take(middle + filling.centroid().cwiseProduct(lattice_.edges()),
-             filling.edges<S::dimension>().cwiseProduct(lattice_.edges()), filling.volume * lattice_.area());
+             filling.edges(lattice_.dimension()).cwiseProduct(lattice_.edges()),
+             filling.volume * lattice_.area());
     });
 }
 

@@ -26,12 +26,11 @@ struct Filling {
 
     /// Edges of a box along the axes of this volume, in proportion as the matter reaches along them: the
     /// second moment of a box of unit volume and edge e is e^2 / 12. Of a box these are its own.
-    template <int Dimension>
-    Eigen::Vector3d edges() const {
+    Eigen::Vector3d edges(int dimension) const {
         const Eigen::Array3d variance = second.array() / volume - centroid().array().square();
         Eigen::Vector3d reach = (12 * variance).max(0).sqrt().matrix();
-        const double product = reach.head<Dimension>().prod();
-        reach.head<Dimension>() *= std::pow(volume / product, 1.0 / Dimension);
+        const double product = reach.head(dimension).prod();
+        reach.head(dimension) *= std::pow(volume / product, 1.0 / dimension);
         return reach;
     }
 };

@@ -55,7 +55,7 @@ class Listed {
 template <class S>
 class Sown {
   public:
-    explicit Sown(const FilledPlaces<S>& places) : places_(places) {}
+    explicit Sown(const FilledPlaces& places) : places_(places) {}
 
     Index size() const { return places_.size(); }
     Index pieces() const { return places_.pieces(); }
@@ -69,7 +69,7 @@ class Sown {
     }
 
   private:
-    const FilledPlaces<S>& places_;
+    const FilledPlaces& places_;
 };
 
 template <class S>
@@ -152,8 +152,8 @@ void seed(Particles<S>& particles, const Patch<S>& patch, const Geometry& geomet
         expect_on_grid(patch, listed, particles.body());
         sow(particles, listed, density, velocity);
     } else {
-        const CellLattice<S> lattice(patch, geometry.bounds(), particles_per_cell);
-        const FilledPlaces<S> places(lattice, geometry, seeding);
+        const CellLattice lattice(cell_axes(patch), geometry.bounds(), particles_per_cell);
+        const FilledPlaces places(lattice, geometry, seeding);
         sow(particles, Sown<S>(places), density, velocity);
     }
 }
