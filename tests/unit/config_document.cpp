@@ -134,6 +134,16 @@ TEST(set, changes_and_creates_values) {
               R"({"time":{"end":0.5,"step":"1 ms"},"list":[1,{"a":[true]},"x=y"],"new/key":null})");
 }
 
+TEST(set, reaches_into_what_is_left_to_its_defaults) {
+    Document document = parse_document(R"({"time": {"end": 1}})", "a.json");
+    EXPECT_EQ(set(document, "/integrator/type=usl"), "");
+    EXPECT_EQ(set(document, "/nonsense/deep/type=1"), "");
+    EXPECT_EQ(document.json.dump(),
+              R"({"time":{"end":1},"integrator":{"type":"usl"},"nonsense":{"deep":{"type":1}}})");
+    EXPECT_EQ(to_string(document.diagnostic("/nonsense", "unknown key")),
+              "--set /nonsense: error: /nonsense: unknown key");
+}
+
 TEST(set, is_named_as_the_place_of_mistakes) {
     Document document = parse_document(R"({"time": {"end": {"a": 1}}})", "a.json");
     EXPECT_EQ(set(document, "/time/end={\"b\": 1}"), "");

@@ -1,4 +1,5 @@
 #include "config/document.hpp"
+#include "config/nearest.hpp"
 
 #include <fmt/format.h>
 
@@ -45,6 +46,12 @@ Json* step_into(Json& parent, std::string& key, bool create) {
     return index < parent.size() ? &parent[index] : nullptr;
 }
 
+std::vector<std::string> pointers_into(const Json& json, const std::string& pointer) {
+    std::vector<std::string> pointers;
+    for (const std::string& key : keys_of(json)) pointers.push_back(join_pointer(pointer, key));
+    return pointers;
+}
+
 }  // namespace
 
 void apply_set(Document& document, std::string_view assignment, Diagnostics& diagnostics) {
@@ -64,10 +71,14 @@ void apply_set(Document& document, std::string_view assignment, Diagnostics& dia
         Json* next = step_into(*at, keys[i], i + 1 == keys.size());
         const std::string next_pointer = join_pointer(pointer, keys[i]);
         if (!next) {
-            std::vector<std::string> candidates;
-            for (const std::string& key : keys_of(*at)) candidates.push_back(join_pointer(pointer, key));
-            return mistake(next_pointer,
-                           "there is nothing at this pointer" + did_you_mean(next_pointer, candidates));
+            const std::vector<std::string> candidates = pointers_into(*at, pointer);
+            if (!at->is_object() || nearest(next_pointer, candidates))
+                return mistake(next_pointer,
+                               "there is nothing at this pointer" + did_you_mean(next_pointer, candidates));
+            // What a scene leaves to its defaults, such as "integrator"; whether there is such a key is told
+            // later.
+            next = &((*at)[keys[i]] = Json::object());
+            document.overrides.insert(next_pointer);
         }
         pointer = next_pointer;
         at = next;
