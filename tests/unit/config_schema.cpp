@@ -77,7 +77,8 @@ TEST(json_schema, keeps_the_facts_that_editors_show) {
     FakeCatalogue catalogue;
     const Json schema = json_schema(catalogue);
     EXPECT_EQ(schema["$schema"], "http://json-schema.org/draft-07/schema#");
-    EXPECT_EQ(schema["definitions"]["integrator"]["properties"]["type"]["enum"], Json({"central_difference", "usl"}));
+    EXPECT_EQ(schema["definitions"]["integrator"]["properties"]["type"]["enum"],
+              Json({"central_difference", "usl"}));
     const Json& parameters = schema["definitions"]["material"]["allOf"][0]["then"]["properties"];
     EXPECT_EQ(parameters["youngs_modulus"]["description"], "E (Pa)");
     EXPECT_EQ(schema["properties"]["transfer"]["default"], (Json{{"type", "affine_flip"}}));
