@@ -34,6 +34,8 @@ std::string reason_for(const std::string& name) {
             return "an output of it";
         case Field::affine_velocity:
             return "an affine transfer";
+        case Field::grid_velocity_gradient:
+            return "an integrator whose strain lags";
         case Field::half_size:
             return "the shape function's particle domain";
         case Field::initial_half_size:

@@ -85,6 +85,56 @@ TEST_F(Health, ParticlesMayBeDeletedWithTheLostMassReported) {
     EXPECT_FALSE(summary().at("warnings").empty());
 }
 
+/// A bar of dust, hardly stiff, whose halves fly apart.
+Json halves(double end) {
+    Json scene = Json::parse(R"json({
+        "matpoint": 1, "space": {"dimension": 2},
+        "grid": {"type": "uniform", "min": [0, 0], "max": [2, 0.5], "cell_size": 0.05},
+        "materials": {"dust": {"type": "neo_hookean", "density": 1, "youngs_modulus": 1e-6, "poissons_ratio": 0.3}},
+        "bodies": {"bar": {"material": "dust", "velocity": ["x < 1 ? -1 : 1", 0],
+                           "geometry": {"type": "box", "min": [0.7, 0.2], "max": [1.3, 0.3]}}}
+    })json");
+    scene["time"]["end"] = end;
+    return scene;
+}
+
+TEST_F(Health, ATornBodyIsCalledTorn) {
+    const RunResult apart = run(halves(0.3));
+    EXPECT_EQ(apart.status, RunStatus::completed) << apart.reason;
+    const std::string warnings = summary().at("warnings").dump();
+    EXPECT_NE(warnings.find("\\\"bar\\\" is torn: it is in 2 parts (of 48, 48 particles)"), std::string::npos)
+        << warnings;
+
+    const RunResult off = run(halves(2));
+    EXPECT_EQ(off.status, RunStatus::broke_down);
+    EXPECT_NE(off.reason.find("is torn"), std::string::npos) << off.reason;
+    EXPECT_NE(off.reason.find("particles_per_cell"), std::string::npos) << off.reason;
+    EXPECT_EQ(off.reason.find("Enlarge /grid"), std::string::npos) << off.reason;
+}
+
+TEST_F(Health, BodiesOfSeveralPartsAreNotTorn) {
+    Json scene = halves(0.05);
+    scene["bodies"]["bar"]["velocity"] = {0, 0};
+    scene["bodies"]["bar"]["geometry"] = Json::parse(R"json({"type": "union", "of": [
+        {"type": "box", "min": [0.2, 0.2], "max": [0.4, 0.3]}, {"type": "box", "min": [1.2, 0.2], "max": [1.4, 0.3]}]})json");
+    EXPECT_EQ(run(scene).status, RunStatus::completed);
+    EXPECT_FALSE(summary().contains("warnings")) << summary().at("warnings").dump();
+}
+
+TEST_F(Health, AContiguousDomainThatTurnsIsTold) {
+    Json scene = falling_block();
+    scene["loads"] = Json::array();
+    scene["bodies"]["block"]["velocity"] = {"-2*(y-0.625)", "2*(x-0.5)"};
+    scene["shape_function"] = {{"type", "gimp"}};
+    scene["time"]["end"] = 0.2;
+    EXPECT_EQ(run(scene).status, RunStatus::completed);
+    EXPECT_EQ(text("summary.json").find("stretched"), std::string::npos);
+    scene["time"]["end"] = 0.75;  // 1.5 radians
+    run(scene);
+    EXPECT_NE(text("summary.json").find("Set /shape_function/domain to"), std::string::npos)
+        << text("summary.json");
+}
+
 TEST_F(Health, StepBeyondTheStableOneIsToldBeforeItIsTaken) {
     Json scene = falling_block();
     scene["time"]["step"] = 0.1;

@@ -68,6 +68,8 @@ TEST(Integrators, UseTheRemappedVelocityWhereTheyShould) {
         {"musl", velocity, remapped},
         {"uvf", remapped, remapped},
         {"central_difference", velocity, velocity},
+        {"usavg", velocity, velocity},
+        {"lagged_strain", velocity, velocity},
     };
     for (const auto& [type, position, stress] : expected) {
         Listener phases;

@@ -124,7 +124,7 @@ TEST(describe, shows_a_kind) {
               "      Steps between outputs\n");
     EXPECT_EQ(describe_json(kind, catalogue)["types"], Json::array({"csv", "probe", "tables"}));
     EXPECT_EQ(find_kind("matreial"), nullptr);
-    EXPECT_EQ(kinds().size(), 11u);
+    EXPECT_EQ(kinds().size(), 12u);
 }
 
 TEST(describe, shows_the_keys_of_a_scene) {

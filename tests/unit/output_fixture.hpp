@@ -49,13 +49,16 @@ class FakeRun final : public RunView {
                                int component) const override {
         return data.at(body).at(field).at(static_cast<std::size_t>(component));
     }
-    Energies energies() const override { return {1.5, 2.5, 0.25}; }
+    Energies energies() const override { return {1.5, 2.5, 0.25, 0.125}; }
     double mass() const override { return 77; }
     std::array<double, 3> momentum() const override { return {7, 8, 9}; }
     std::array<double, 3> reaction(const std::string& name) const override {
         if (name != "wall") throw std::out_of_range(name);
         return {-1, -2, -3};
     }
+
+    double unbalanced_force() const override { return 0.01; }
+    double noise() const override { return 0.02; }
 
     double now = 0;
     long steps = 0;

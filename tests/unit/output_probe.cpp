@@ -33,7 +33,10 @@ TEST_F(ProbeTest, MeasuresEveryQuantity) {
     EXPECT_EQ(table({{"quantity", "kinetic_energy"}, {"body", "plane"}}), "time,kinetic_energy\n0.5,85\n");
     EXPECT_EQ(table({{"quantity", "strain_energy"}}), "time,strain_energy\n0.5,2.5\n");
     EXPECT_EQ(table({{"quantity", "external_work"}}), "time,external_work\n0.5,0.25\n");
-    EXPECT_EQ(table({{"quantity", "total_energy"}}), "time,total_energy\n0.5,3.75\n");
+    EXPECT_EQ(table({{"quantity", "total_energy"}}), "time,total_energy\n0.5,3.875\n");
+    EXPECT_EQ(table({{"quantity", "damped_energy"}}), "time,damped_energy\n0.5,0.125\n");
+    EXPECT_EQ(table({{"quantity", "unbalanced_force"}}), "time,unbalanced_force\n0.5,0.01\n");
+    EXPECT_EQ(table({{"quantity", "noise"}}), "time,noise\n0.5,0.02\n");
     EXPECT_EQ(table({{"quantity", "momentum"}}), "time,momentum_x,momentum_y\n0.5,7,8\n");
     EXPECT_EQ(table({{"quantity", "momentum"}, {"body", "plane"}, {"component", "y"}}),
               "time,momentum_y\n0.5,-12\n");

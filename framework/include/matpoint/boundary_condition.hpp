@@ -21,6 +21,9 @@ class BoundaryCondition : public Component {
     virtual std::array<bool, 3> prescribes(int axis) const = 0;
     /// The velocity, m/s; components that are not prescribed are ignored. Time in s.
     virtual Vector velocity(const Position&, double) const { return Vector::Zero(); }
+    /// Time (s) from which on nothing is moved; infinite if something always is. A scene does not end at rest
+    /// before.
+    virtual double settled_at() const { return 0; }
 };
 
 }  // namespace matpoint

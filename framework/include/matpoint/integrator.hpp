@@ -22,6 +22,9 @@ class Phases {
         std::optional<NodeField> position = {};  ///< position, moved with this nodal velocity [eq. 17]
         std::optional<NodeField> stress =
             {};  ///< L, F, volume and stress, from this nodal velocity [eq. 10-13]
+        /// Alone: what this nodal velocity has that the last update of stress lacked, to be added to the L of
+        /// the next (Integrator::lags).
+        std::optional<NodeField> lag = {};
     };
 
     virtual long step_number() const = 0;
@@ -49,6 +52,8 @@ class Integrator : public Component {
     virtual std::vector<NodeField> node_fields() const { return {}; }
     /// Whether velocities are those of half steps: prescribed ones are then taken at these times.
     virtual bool staggered() const { return false; }
+    /// Whether particles remember the gradient that their stress was updated with, for Update::lag.
+    virtual bool lags() const { return false; }
     /// Largest omega dt with which the fastest vibration of the nodes stays bounded; that of the leapfrog by
     /// default. The guard of the time step asks.
     virtual double largest_phase() const { return 2; }

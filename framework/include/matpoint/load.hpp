@@ -28,6 +28,9 @@ class Load : public Component {
     /// Called once after seeding (not at a restart), to mark the particles it acts on.
     virtual void start(const Patch<S>&, std::span<Particles<S>>) {}
     virtual void apply(LoadContext<S>& context) const = 0;
+    /// Time (s) from which on the load stays as it is; infinite if it never does. A scene does not end at
+    /// rest before.
+    virtual double settled_at() const { return 0; }
 };
 
 }  // namespace matpoint

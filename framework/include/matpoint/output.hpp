@@ -14,7 +14,8 @@ struct Energies {
     double kinetic = 0;
     double strain = 0;    ///< work done by the stress since the start (stored and dissipated)
     double external = 0;  ///< work done by loads and moving boundaries since the start
-    double total() const { return kinetic + strain - external; }
+    double damped = 0;    ///< taken out by damping since the start
+    double total() const { return kinetic + strain + damped - external; }
 };
 
 /// What outputs and checks may see of a run, whatever its space.
@@ -42,6 +43,15 @@ class RunView {
     /// Force of a named boundary condition on the bodies in the last step, N.
     virtual std::array<double, 3> reaction(const std::string& boundary_condition) const = 0;
 
+    /// How far the last step was from equilibrium: sum |f| of the nodes over that of the forces which should
+    /// be in balance, the internal or the external ones, whichever are larger; components that boundary
+    /// conditions prescribe have none. Measured if the scene has `damping`, `until_at_rest` or an output that
+    /// asks for it (Output::observes_balance).
+    virtual double unbalanced_force() const = 0;
+    /// Share of the particles' velocity that the grid's at their places lacks after the last step:
+    /// sqrt(sum m |v_p - sum S v*|^2 / sum m |v_p|^2).
+    virtual double noise() const = 0;
+
   protected:
     ~RunView() = default;
 };
@@ -54,6 +64,8 @@ class Output : public Component {
     virtual std::vector<std::string> required_fields() const { return {}; }
     /// Body whose fields are required; empty for all.
     virtual std::string body() const { return {}; }
+    /// Whether it reads RunView::unbalanced_force.
+    virtual bool observes_balance() const { return false; }
     /// Called once when the bodies are seeded, at a restart too. Throws std::exception with the reason if
     /// the scene lacks what the output observes; nothing is written yet.
     virtual void check(const RunView&) {}

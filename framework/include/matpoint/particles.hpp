@@ -25,12 +25,13 @@ enum class Field {
     mass,      ///< m, kg (of the whole ring when axisymmetric; per unit width in 1D and plane strain)
     volume,    ///< V, m^3 (likewise)
     stress,    ///< Cauchy stress, Pa; components as Space::stress_size says
-    displacement_gradient,  ///< H = F - I; components as Space::deformation_size says
-    velocity_gradient,      ///< L = dv/dx of the last stress update, 1/s; in-plane components by column
-    affine_velocity,        ///< C of the affine transfer, 1/s; likewise
-    half_size,              ///< half-lengths of the particle's domain at the start of the step, m
-    initial_half_size,      ///< the same at the start of the run
-    initial_position,       ///< X, m
+    displacement_gradient,   ///< H = F - I; components as Space::deformation_size says
+    velocity_gradient,       ///< L = dv/dx of the last stress update, 1/s; in-plane components by column
+    affine_velocity,         ///< C of the affine transfer, 1/s; likewise
+    grid_velocity_gradient,  ///< what of L is taken back in the next step, by integrators that lag; as H
+    half_size,               ///< half-lengths of the particle's domain at the start of the step, m
+    initial_half_size,       ///< the same at the start of the run
+    initial_position,        ///< X, m
     // What single precision has rounded away; double precision has no such fields.
     position_remainder,          ///< to be added to it
     initial_position_remainder,  ///< likewise

@@ -27,6 +27,8 @@ class BoundaryCondition;
 template <class S>
 class Load;
 template <class S>
+class Damping;
+template <class S>
 class Grid;
 class ExactSolution;
 class Output;
@@ -69,6 +71,10 @@ class Registry {
     template <template <class> class C>
     void load(std::string type) {
         spatial<C, Load>("load", std::move(type));
+    }
+    template <template <class> class C>
+    void damping(std::string type) {
+        spatial<C, Damping>("damping", std::move(type));
     }
     template <template <class> class C>
     void grid(std::string type) {

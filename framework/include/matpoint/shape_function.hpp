@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 
 namespace matpoint {
 
@@ -70,6 +71,10 @@ class ShapeFunction : public Component {
                         GatherSink<S>&) const = 0;
     /// Adds the sources' values, weighted by S, to a vector field of the nodes.
     virtual void spread(Patch<S>&, std::span<const PointSource<S>>, NodeField) const = 0;
+
+    /// What ails the shape with a body in this state, and what helps; empty if nothing does. The health guard
+    /// asks when a run breaks down, and at its end.
+    virtual std::string trouble(const Particles<S>&) const { return {}; }
 
     /// One point's stencil, for tests and tools: nodes, S and grad S (1/m).
     struct Stencil {

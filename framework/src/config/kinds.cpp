@@ -75,6 +75,7 @@ std::vector<Kind> make_kinds() {
         {"contact", "contacts", "Interaction between bodies", Schema()},
         {"boundary_condition", "boundary_conditions", "Condition on grid faces or in a region",
          with_place_and_name()},
+        {"damping", "damping", "What leads a scene to rest", Schema()},
         {"exact_solution", "exact_solution", "Known solution that errors are measured against",
          with_measure()},
         {"output", "outputs", "Files written during a run", with_interval()},

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 
@@ -108,6 +109,16 @@ double Profile::operator()(const std::array<double, 3>& position, double time) c
     if (after == times_.size()) return values_.back();
     const double part = (time - times_[after - 1]) / (times_[after] - times_[after - 1]);
     return values_[after - 1] + part * (values_[after] - values_[after - 1]);
+}
+
+double Profile::settled_at() const {
+    if (!formula_) return times_.empty() ? 0 : times_.back();
+    const bool varies = formula_->used().find('t') != std::string::npos;
+    return varies ? std::numeric_limits<double>::infinity() : 0;
+}
+
+bool Profile::ends_at_zero() const {
+    return !formula_ && (times_.empty() ? constant_ : values_.back()) == 0;
 }
 
 std::string Profile::variables() const {

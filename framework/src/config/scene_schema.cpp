@@ -39,6 +39,14 @@ Schema time_schema() {
                     "plus that of a particle, at every step",
              .optional = true,
              .greater_than = 0})
+        .number(
+            "until_at_rest",
+            {.doc = "The run ends before, at rest: when loads and boundaries no longer change, the "
+                    "unbalanced force is below this part of the forces in balance, and the kinetic energy "
+                    "below its square of the largest energy so far",
+             .optional = true,
+             .at_most = 0.1,
+             .greater_than = 0})
         .integer(
             "max_steps",
             {.doc = "The run ends after so many steps, wherever it is", .optional = true, .at_least = 1});
@@ -157,6 +165,8 @@ Schema make_scene_schema() {
              {.doc = "Between bodies", .default_value = none, .kind = "contact"})
         .add("boundary_conditions", ParameterType::components,
              {.doc = "On grid faces or regions", .default_value = none, .kind = "boundary_condition"})
+        .add("damping", ParameterType::component,
+             {.doc = "Leads the scene to rest", .optional = true, .kind = "damping"})
         .add("exact_solution", ParameterType::component,
              {.doc = "Turns error measurement on",
               .optional = true,

@@ -20,6 +20,7 @@ FieldShape field_shape(const std::string& field, int components, SpaceId space) 
             case Field::stress:
                 return FieldShape::symmetric;
             case Field::displacement_gradient:
+            case Field::grid_velocity_gradient:
             case Field::velocity_gradient:
             case Field::affine_velocity:
                 return FieldShape::matrix;

@@ -16,6 +16,7 @@ constexpr std::array<std::string_view, known_fields> names = {"position",
                                                               "displacement_gradient",
                                                               "velocity_gradient",
                                                               "affine_velocity",
+                                                              "grid_velocity_gradient",
                                                               "half_size",
                                                               "initial_half_size",
                                                               "initial_position",
@@ -36,6 +37,7 @@ std::vector<double> initial_values(Field field) {
         case Field::stress:
             return std::vector<double>(S::stress_size, 0);
         case Field::displacement_gradient:
+        case Field::grid_velocity_gradient:
             return std::vector<double>(S::deformation_size, 0);
         case Field::velocity_gradient:
         case Field::affine_velocity:

@@ -1,5 +1,6 @@
 #include "run/assemble.hpp"
 
+#include <matpoint/damping.hpp>
 #include <matpoint/exact_solution.hpp>
 #include <matpoint/geometry.hpp>
 
@@ -277,6 +278,8 @@ Assembly<S> assemble(const Scene& scene, const Registry& registry) {
     components.integrator = maker.make<Integrator<S>>("integrator", "/integrator");
     for (std::size_t k = 0; k < scene.resolved.at("loads").size(); ++k)
         components.loads.push_back(maker.make<Load<S>>("load", "/loads/" + std::to_string(k)));
+    if (scene.resolved.contains("damping"))
+        components.damping = maker.make<Damping<S>>("damping", "/damping");
     make_conditions(maker, components.conditions);
     std::shared_ptr<Geometry> within;
     if (scene.resolved.contains("exact_solution")) {
@@ -286,6 +289,10 @@ Assembly<S> assemble(const Scene& scene, const Registry& registry) {
         result.error.emplace(components.exact_solution, own, within);
     }
     make_outputs(maker, result.outputs);
+    components.measures_balance = components.damping || scene.resolved.at("time").contains("until_at_rest") ||
+                                  std::ranges::any_of(result.outputs, [](const ScheduledOutput& scheduled) {
+                                      return scheduled.output && scheduled.output->observes_balance();
+                                  });
     std::map<std::string, std::shared_ptr<Material<S>>> materials;
     for (const auto& [name, unused] : scene.resolved.at("materials").items())
         materials[name] = maker.make<Material<S>>("material", join_pointer("/materials", name));
@@ -312,6 +319,8 @@ Assembly<S> assemble(const Scene& scene, const Registry& registry) {
         if (guarded(*material, "uses_deformation_gradient",
                     [&] { return material->uses_deformation_gradient(); }))
             particles.require(Field::displacement_gradient);
+        if (guarded(*components.integrator, "lags", [&] { return components.integrator->lags(); }))
+            particles.require(Field::grid_velocity_gradient);
         for (const auto& load : components.loads)
             guarded(*load, "declare", [&] { load->declare(particles); });
         const bool exact = components.exact_solution && components.exact_solution->covers(name);

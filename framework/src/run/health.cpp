@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace matpoint {
 
@@ -25,7 +26,7 @@ std::string name(const Particles<S>& particles, Index p) {
 
 template <class S>
 std::string describe_stray(const Moment& moment, const Particles<S>& particles, Index particle,
-                           const std::optional<Exit>& exit) {
+                           const std::optional<Exit>& exit, const std::string& ailments) {
     if (!exit)
         return at(moment) + name(particles, particle) +
                " has no finite position. The step before was probably unstable: lower /time/cfl or "
@@ -45,6 +46,7 @@ std::string describe_stray(const Moment& moment, const Particles<S>& particles, 
         case Exit::Through::open:
             break;
     }
+    if (!ailments.empty()) return who + ". " + ailments;
     return who +
            ". Enlarge /grid, close the face (by \"slip\", say), or set /health/off_grid to \"delete\" "
            "to let particles go.";
@@ -74,6 +76,17 @@ std::string describe_fault(const Moment& moment, const Particles<S>& particles, 
                    fault.value) +
                step;
     return who + " has a velocity or stress that is not finite." + step;
+}
+
+std::string describe_torn(const std::string& body, const std::vector<Index>& parts, double spacing) {
+    constexpr std::size_t named = 4;
+    const std::span<const Index> largest(parts.data(), std::min(parts.size(), named));
+    return fmt::format(
+        "Body \"{}\" is torn: it is in {} parts (of {}{} particles) that share no node of the grid and so "
+        "don't feel each other. Where it is pulled most, its particles lie {:.2g} cells apart; they hold "
+        "together up to about one. Where that is not meant, take more particles_per_cell along the pull, or "
+        "larger cells.",
+        body, parts.size(), fmt::join(largest, ", "), parts.size() > named ? ", …" : "", spacing);
 }
 
 std::string describe_failure(const Moment& moment, const ComponentFailure& failure) {
@@ -112,31 +125,43 @@ std::string describe_unstable_step(const Moment& moment, double stable_step, dou
                stable_step, limit, wave_speed, particle_speed);
 }
 
-std::string describe_energy_gain(const Moment& moment, double gain, double given) {
+std::string describe_energy_gain(const Moment& moment, double gain, double given, double noise) {
     return at(moment) +
            fmt::format(
                "{:.4g} J of energy came from nowhere; the start, loads and walls have given {:.4g} J. Noise "
-               "grows: lower /time/cfl or /time/step, choose another integrator, a smoother shape function "
-               "or "
-               "a transfer that damps, or, if it can be meant, raise /health/energy_gain.",
-               gain, given);
+               "grows, {:.2g} % of the velocity is none that the grid sees: lower /time/cfl or /time/step, "
+               "choose another integrator, a smoother shape function or a transfer that damps, or, if it can "
+               "be meant, raise /health/energy_gain.",
+               gain, given, 100 * noise);
 }
 
-std::string describe_energy_drift(double gain, double loss, double largest) {
+std::string describe_energy_drift(double gain, double loss, double largest, double noise) {
     const bool gained = gain > loss;
     return fmt::format(
-        "{:.3g} % of the energy {} ({:.3g} of {:.3g} J): {} Shorter steps, a finer grid or another "
-        "integrator "
-        "or transfer keep it better; /health/energy_drift sets what is told.",
+        "{:.3g} % of the energy {} ({:.3g} of {:.3g} J): {} At the end {:.2g} % of the velocity was noise. "
+        "Shorter steps, a finer grid or another integrator or transfer keep it better; /health/energy_drift "
+        "sets what is told.",
         100 * std::max(gain, loss) / largest, gained ? "came from nowhere" : "was lost", std::max(gain, loss),
         largest,
         gained ? "noise grows, or the step is long."
-               : "integrator or transfer damp what the grid does not resolve.");
+               : "integrator or transfer damp what the grid does not resolve.",
+        100 * noise);
+}
+
+std::string describe_unrest(double unbalanced, double asked, bool settled) {
+    return fmt::format(
+        "/time/until_at_rest: the scene did not come to rest by /time/end: {} Give it more time, `damping`, "
+        "or "
+        "loads that come smoothly (history \"ramp\").",
+        settled
+            ? fmt::format("{:.2g} of the forces are not in balance, or it still moves ({:.2g} was asked).",
+                          unbalanced, asked)
+            : "loads or boundaries never stop to change.");
 }
 
 #define MATPOINT_INSTANTIATE(S)                                                                   \
     template std::string describe_stray(const Moment&, const Particles<S>&, Index,                \
-                                        const std::optional<Exit>&);                              \
+                                        const std::optional<Exit>&, const std::string&);          \
     template std::string describe_fault(const Moment&, const Particles<S>&, const Fault&, double, \
                                         const Origin&);
 MATPOINT_FOR_EACH_SPACE(MATPOINT_INSTANTIATE)

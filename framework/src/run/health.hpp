@@ -18,10 +18,13 @@ struct Moment {
 
 template <class S>
 std::string describe_stray(const Moment& moment, const Particles<S>& particles, Index particle,
-                           const std::optional<Exit>& exit);
+                           const std::optional<Exit>& exit, const std::string& ailments);
 template <class S>
 std::string describe_fault(const Moment& moment, const Particles<S>& particles, const Fault& fault,
                            double stable_step, const Origin& material);
+/// A body in `parts` that no longer share nodes (particles of each), whose particles lie `spacing` cells
+/// apart where it is pulled most.
+std::string describe_torn(const std::string& body, const std::vector<Index>& parts, double spacing);
 /// `places` are the formula's JSON pointers.
 std::string describe_formula(const Moment& moment, const std::vector<std::string>& places,
                              const FormulaError& error);
@@ -35,7 +38,8 @@ std::string describe_standstill(const Moment& moment);
 std::string describe_unstable_step(const Moment& moment, double stable_step, double part, double wave_speed,
                                    double particle_speed);
 /// Energies in J: what came from nowhere, and what the start and all sources gave.
-std::string describe_energy_gain(const Moment& moment, double gain, double given);
-std::string describe_energy_drift(double gain, double loss, double largest);
+std::string describe_energy_gain(const Moment& moment, double gain, double given, double noise);
+std::string describe_energy_drift(double gain, double loss, double largest, double noise);
+std::string describe_unrest(double unbalanced, double asked, bool settled);
 
 }  // namespace matpoint

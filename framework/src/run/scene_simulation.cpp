@@ -2,6 +2,7 @@
 
 #include "config/formula_places.hpp"
 #include "run/derived_fields.hpp"
+#include "run/pieces.hpp"
 #include "run/shortest_wave.hpp"
 
 #include <fmt/format.h>
@@ -15,6 +16,17 @@ namespace matpoint {
 namespace {
 /// Steps after which energies that lag by a half or a whole step are large beside the lag.
 constexpr long settling_steps = 10;
+
+template <class S>
+double settled_at(const Components<S>& components) {
+    double time = 0;
+    for (const auto& load : components.loads)
+        guarded(*load, "settled_at", [&] { time = std::max(time, load->settled_at()); });
+    for (const auto& placed : components.conditions)
+        guarded(*placed.condition, "settled_at",
+                [&] { time = std::max(time, placed.condition->settled_at()); });
+    return time;
+}
 }  // namespace
 
 template <class S>
@@ -23,6 +35,7 @@ SceneSimulation<S>::SceneSimulation(const Scene& scene, PluginCatalogue& catalog
       scene_text_(scene.resolved.dump()),
       folder_(scene.folder.string()),
       end_(scene.resolved.at("/time/end"_json_pointer).get<double>()),
+      rest_(scene.resolved.at("time").value("until_at_rest", 0.0)),
       max_steps_(scene.resolved.at("time").value("max_steps", std::numeric_limits<long>::max())),
       guarded_(scene.resolved.at("/health/enabled"_json_pointer).get<bool>()),
       deletes_strays_(scene.resolved.at("/health/off_grid"_json_pointer) == "delete"),
@@ -31,6 +44,7 @@ SceneSimulation<S>::SceneSimulation(const Scene& scene, PluginCatalogue& catalog
       most_gain_(scene.resolved.at("/health/energy_gain"_json_pointer).get<double>()),
       assembly_(assemble<S>(scene, catalogue.registry())),
       engine_(assembly_.components, assembly_.bodies, assembly_.first_states),
+      settled_at_(settled_at(assembly_.components)),
       smallest_cell_(engine_.patch().cell_size().minCoeff()) {
     const Json& time = scene.resolved.at("time");
     if (time.contains("step"))
@@ -44,6 +58,8 @@ SceneSimulation<S>::SceneSimulation(const Scene& scene, PluginCatalogue& catalog
 
     engine_.prepare();
     engine_.measure();
+    for (const Particles<S>& particles : assembly_.bodies)
+        first_pieces_.push_back(pieces(engine_.patch(), particles, *assembly_.components.shape).size());
     warnings_ = assembly_.warnings;
     if (guarded_) refuse_faults(scene);
     const double phase = shortest_wave_phase(engine_.patch(), assembly_.bodies, *assembly_.components.shape);
@@ -86,7 +102,21 @@ void SceneSimulation<S>::check_outputs(const Scene& scene) {
 template <class S>
 bool SceneSimulation<S>::finished() const {
     // An end that is a whole number of steps is met despite rounding of the time.
-    return time_ >= end_ * (1 - 1e-12) || step_ >= max_steps_;
+    return time_ >= end_ * (1 - 1e-12) || step_ >= max_steps_ || at_rest() == true;
+}
+
+template <class S>
+std::optional<bool> SceneSimulation<S>::at_rest() const {
+    if (rest_ == 0) return {};
+    // Forces are in balance for a moment whenever a body swings through its state of rest.
+    return step_ >= settling_steps && time_ >= settled_at_ && engine_.tally().unbalanced_force <= rest_ &&
+           engine_.tally().kinetic <= rest_ * rest_ * numbers_.largest_energy;
+}
+
+template <class S>
+double SceneSimulation<S>::noise() const {
+    const Tally& tally = engine_.tally();
+    return tally.kinetic > 0 ? std::sqrt(tally.noise_energy / tally.kinetic) : 0;
 }
 
 template <class S>
@@ -132,12 +162,15 @@ void SceneSimulation<S>::advance() {
     const Tally& tally = engine_.tally();
     if (guarded_ && !engine_.faults().empty()) {
         const Fault& fault = engine_.faults().front();
+        const std::string ails = ailments(fault.body);
         throw Breakdown(describe_fault({step_, time_, dt}, assembly_.bodies[fault.body], fault, stable,
-                                       engine_.material(fault.body).origin()));
+                                       engine_.material(fault.body).origin()) +
+                        (ails.empty() ? "" : " " + ails));
     }
     if (guarded_ && tally.stiff_without_waves) guard_waves();
     numbers_.strain += tally.strain_work;
     numbers_.external += tally.external_work;
+    numbers_.damped += tally.damped;
     for (std::size_t c = 0; c < 3; ++c) numbers_.given_momentum[c] += tally.impulse[c];
     if (guarded_) guard_energy(dt);
     last_time_step_ = dt;
@@ -159,8 +192,24 @@ void SceneSimulation<S>::warn_at_end() {
     if (assembly_.error && numbers_.error.count == 0)
         warnings_.push_back("/exact_solution: nothing was there to be compared with it: no error is given");
     if (guarded_ && conservation().energy_drift > most_drift_)
-        warnings_.push_back(
-            describe_energy_drift(numbers_.energy_gain, numbers_.energy_loss, numbers_.largest_energy));
+        warnings_.push_back(describe_energy_drift(numbers_.energy_gain, numbers_.energy_loss,
+                                                  numbers_.largest_energy, noise()));
+    if (at_rest() == false)
+        warnings_.push_back(describe_unrest(engine_.tally().unbalanced_force, rest_, time_ >= settled_at_));
+    for (std::size_t b = 0; guarded_ && b < assembly_.bodies.size(); ++b)
+        if (const std::string ails = ailments(b); !ails.empty()) warnings_.push_back(ails);
+}
+
+template <class S>
+std::string SceneSimulation<S>::ailments(std::size_t body) const {
+    const Particles<S>& particles = assembly_.bodies[body];
+    const ShapeFunction<S>& shape = *assembly_.components.shape;
+    std::string all;
+    guarded(shape, "trouble", [&] { all = shape.trouble(particles); });
+    const std::vector<Index> parts = pieces(engine_.patch(), particles, shape);
+    if (parts.size() <= first_pieces_[body]) return all;
+    return all + (all.empty() ? "" : " ") +
+           describe_torn(particles.body(), parts, widest_spacing(engine_.patch(), particles));
 }
 
 template <class S>
@@ -232,7 +281,8 @@ void SceneSimulation<S>::remove_strays() {
     if (!deletes_strays_ || !assembly_.bodies[first.body].position(first.particle).allFinite())
         throw Breakdown(
             describe_stray({step_, time_, next_time_step()}, assembly_.bodies[first.body], first.particle,
-                           engine_.exit(assembly_.bodies[first.body].position(first.particle), time_)));
+                           engine_.exit(assembly_.bodies[first.body].position(first.particle), time_),
+                           ailments(first.body)));
 
     for (std::size_t b = 0, s = 0; b < assembly_.bodies.size(); ++b) {
         Particles<S>& particles = assembly_.bodies[b];
@@ -293,7 +343,7 @@ void SceneSimulation<S>::guard_energy(double dt) const {
     const double given = std::max(numbers_.given_energy, given_energy());
     // Where nothing was given there may be stress from before, whose energy nobody knows.
     if (step_ >= settling_steps && given > 0 && gain > most_gain_ * given)
-        throw Breakdown(describe_energy_gain({step_, time_, dt}, gain, given));
+        throw Breakdown(describe_energy_gain({step_, time_, dt}, gain, given, noise()));
 }
 
 #define MATPOINT_INSTANTIATE(S)                                                   \
@@ -306,6 +356,9 @@ void SceneSimulation<S>::guard_energy(double dt) const {
     template double SceneSimulation<S>::crossing_time() const;                    \
     template double SceneSimulation<S>::next_time_step() const;                   \
     template long SceneSimulation<S>::estimated_steps() const;                    \
+    template std::optional<bool> SceneSimulation<S>::at_rest() const;             \
+    template std::string SceneSimulation<S>::ailments(std::size_t) const;         \
+    template double SceneSimulation<S>::noise() const;                            \
     template Conservation SceneSimulation<S>::conservation() const;
 MATPOINT_FOR_EACH_SPACE(MATPOINT_INSTANTIATE)
 

@@ -49,8 +49,11 @@ class SceneSimulation final : public Simulation {
     std::vector<double> column(const std::string& body, const std::string& field,
                                int component) const override;
     Energies energies() const override {
-        return {engine_.tally().kinetic, numbers_.strain, numbers_.external};
+        return {engine_.tally().kinetic, numbers_.strain, numbers_.external, numbers_.damped};
     }
+    double unbalanced_force() const override { return engine_.tally().unbalanced_force; }
+    double noise() const override;
+    std::optional<bool> at_rest() const override;
     double mass() const override;
     std::array<double, 3> momentum() const override { return engine_.tally().momentum; }
     std::array<double, 3> reaction(const std::string& boundary_condition) const override;
@@ -58,7 +61,7 @@ class SceneSimulation final : public Simulation {
   private:
     /// What is added up over the run, and what the next step needs beyond the particles.
     struct Numbers {
-        double strain = 0, external = 0;              // J
+        double strain = 0, external = 0, damped = 0;  // J
         double first_energy = 0, largest_energy = 0;  // J
         double given_energy = 0;                      // most that the start and what acts from outside gave
         double energy_gain = 0, energy_loss = 0;      // largest, of the balance
@@ -87,20 +90,26 @@ class SceneSimulation final : public Simulation {
     void guard_energy(double dt) const;
     /// At the end: what did nothing, and energy that was not kept.
     void warn_at_end();
+    /// What is wrong with a body that a number alone doesn't tell: that it is torn, or the shape's trouble.
+    std::string ailments(std::size_t body) const;
     /// Unless a warning has the word already.
     void warn_once(const std::string& word, const std::string& text);
 
     std::string title_, scene_text_, folder_;
     std::map<std::string, std::string> plugins_;
     double end_, step_length_ = 0, cfl_ = 0;
+    double rest_;  ///< unbalanced force of a scene at rest; 0: not asked for
     long max_steps_;
     bool guarded_, deletes_strays_;
     std::string on_unstable_step_;
     double most_drift_, most_gain_;  ///< of energy, in parts
     Assembly<S> assembly_;
     Engine<S> engine_;
+    double settled_at_;  ///< s, from when on loads and boundaries stay as they are
     double smallest_cell_;
     double stable_part_;  ///< of the time that a wave takes to cross a cell
+
+    std::vector<std::size_t> first_pieces_;  ///< by body: of how many parts it is at the start
 
     long step_ = 0;
     double time_ = 0, last_time_step_ = 0;

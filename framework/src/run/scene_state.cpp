@@ -125,6 +125,7 @@ template <class Numbers_, class Visitor>
 void SceneSimulation<S>::Numbers::visit(Numbers_& n, const Visitor& visitor) {
     visitor("strain", n.strain);
     visitor("external", n.external);
+    visitor("damped", n.damped);
     visitor("first_energy", n.first_energy);
     visitor("largest_energy", n.largest_energy);
     visitor("given_energy", n.given_energy);
@@ -154,6 +155,8 @@ std::string held_name(std::size_t condition) {
 template <class Tally_, class Visitor>
 void visit_tally(Tally_& t, const Visitor& visitor) {
     visitor("kinetic", t.kinetic);
+    visitor("noise_energy", t.noise_energy);
+    visitor("unbalanced_force", t.unbalanced_force);
     visitor("momentum_scale", t.momentum_scale);
     visitor("particle_speed", t.largest_speed);
     visitor("wave_speed", t.largest_wave_speed);

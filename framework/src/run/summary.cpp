@@ -68,14 +68,18 @@ Json summarise(const Simulation& simulation, const PluginCatalogue& catalogue, c
           {"momentum_drift", conservation.momentum_drift},
           {"energy_drift", conservation.energy_drift},
           {"lost_mass", conservation.lost_mass}}},
+        {"noise", simulation.noise()},
         {"final",
          {{"mass", simulation.mass()},
           {"momentum",
            std::vector<double>(momentum.begin(), momentum.begin() + simulation.space().dimension())},
           {"kinetic_energy", energies.kinetic},
           {"strain_energy", energies.strain},
-          {"external_work", energies.external}}},
+          {"external_work", energies.external},
+          {"damped_energy", energies.damped}}},
     };
+    if (const auto rest = simulation.at_rest())
+        summary["rest"] = {{"reached", *rest}, {"unbalanced_force", simulation.unbalanced_force()}};
     for (const SeededBody& body : simulation.seeded_bodies()) {
         Json& own = summary["bodies"][body.name];
         own = {{"particles", body.particles}, {"mass", body.mass}, {"volume", body.volume}};
@@ -114,9 +118,15 @@ void print_closing_table(const Simulation& simulation, const RunResult& result) 
                    momentum[static_cast<std::size_t>(a)],
                    a == 0 ? fmt::format("{:.2e}", conservation.at("momentum_drift").get<double>()) : "");
     const Energies e = simulation.energies();
-    fmt::print("  {:<14} {:>14.6g}\n  {:<14} {:>14.6g}\n  {:<14} {:>14.6g}\n  {:<14} {:>14.6g} {:>12.2e}\n",
-               "kinetic", e.kinetic, "strain", e.strain, "external", e.external, "energy balance", e.total(),
+    fmt::print("  {:<14} {:>14.6g}\n  {:<14} {:>14.6g}\n  {:<14} {:>14.6g}\n", "kinetic", e.kinetic, "strain",
+               e.strain, "external", e.external);
+    if (e.damped != 0) fmt::print("  {:<14} {:>14.6g}\n", "damped", e.damped);
+    fmt::print("  {:<14} {:>14.6g} {:>12.2e}\n", "energy balance", e.total(),
                conservation.at("energy_drift").get<double>());
+    if (s.contains("rest"))
+        fmt::print("  {:<14} {:>14.2e} of the forces in balance\n",
+                   s.at("rest").at("reached").get<bool>() ? "at rest" : "not at rest",
+                   s.at("rest").at("unbalanced_force").get<double>());
     if (s.contains("error")) {
         const auto& error = s.at("error");
         fmt::print("  {:<14} {:>14} of {}: l1 {:.3g}, l2 {:.3g}\n", "error, largest",

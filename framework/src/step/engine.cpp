@@ -12,7 +12,6 @@ namespace matpoint {
 namespace {
 /// Nodes below this part of the largest particle's mass are not accelerated.
 constexpr double mass_cutoff = 1e-13;
-constexpr Index nodes_per_task = 8192;
 
 /// kg/m^3, of the bodies at the start: the same for a run that continues.
 template <class S>
@@ -52,13 +51,18 @@ void Engine<S>::step(long number, double time, double dt, double last_dt) {
     velocity_from_ = staggered && number > 0 ? time - last_dt / 2 : time;
     velocity_to_ = staggered ? time + dt / 2 : time + dt;
     faults_.clear();
-    tally_.strain_work = tally_.external_work = 0;
+    const double energy_before = tally_.kinetic;
+    tally_.strain_work = tally_.external_work = tally_.damped = 0;
     tally_.impulse = {};
     for (auto& reaction : tally_.reactions) reaction = {};
 
     prepare();
     guarded(*components_.integrator, "step",
             [&] { components_.integrator->step(*this, static_cast<Real>(dt)); });
+    if (const auto& damping = components_.damping)
+        guarded(*damping, "stops", [&] {
+            if (damping->stops(energy_before, tally_.kinetic)) stop();
+        });
 }
 
 template <class S>
@@ -83,20 +87,6 @@ void Engine<S>::project_velocity(double time) {
     prepare();
     project({.velocity = true});
     tally_ = kept;  // no step was taken
-}
-
-template <class S>
-Index Engine<S>::node_tasks() const {
-    return (patch_.node_count() + nodes_per_task - 1) / nodes_per_task;
-}
-
-template <class S>
-template <class Body>
-void Engine<S>::for_nodes(const Body& body) const {
-    const auto blocks = static_cast<Index>(patch_.existing_blocks().size());
-    parallel_for(node_tasks(), S::dimension * blocks, [&](Index k) {
-        body(k, k * nodes_per_task, std::min(patch_.node_count(), (k + 1) * nodes_per_task));
-    });
 }
 
 template <class S>
@@ -228,6 +218,8 @@ void Engine<S>::accelerate(Real dt, Real factor) {
     walls_.constrain_acceleration(patch_, velocity_from_, velocity_to_, dt_);
     light_nodes_.follow_acceleration(patch_);
     light_nodes_.restore_velocity(patch_);
+    if (components_.measures_balance) measure_balance(factor);
+    if (components_.damping) damp(dt);
     for_nodes([&](Index, Index begin, Index end) {
         for (int c = 0; c < S::dimension; ++c) {
             const Real* a = patch_.column(NodeField::acceleration, c);
@@ -241,6 +233,7 @@ void Engine<S>::accelerate(Real dt, Real factor) {
     walls_.fill_velocity(patch_, NodeField::velocity, velocity_to_);
     add_reactions(NodeField::force, NodeField::acceleration, dt_, (velocity_from_ + velocity_to_) / 2);
     if (loaded) add_load_work(dt, factor);
+    if (components_.damping) add_damping_work(dt);
 }
 
 /// `share` of the velocity becomes the particles', 1/s: walls take what light nodes give to them and their
@@ -255,23 +248,10 @@ void Engine<S>::follow_light_nodes(Real share) {
 
 template <class S>
 void Engine<S>::add_load_work(Real dt, Real factor) {
-    // Folding is the transpose of filling, so the nodes within see all of the loads' work.
-    node_sums_.assign(static_cast<std::size_t>(node_tasks()), 0.0);
-    for_nodes([&](Index task, Index begin, Index end) {
-        for (int c = 0; c < S::dimension; ++c) {
-            const Real* a = patch_.column(NodeField::acceleration, c);
-            const Real* v = patch_.column(NodeField::velocity, c);
-            const Real* external = patch_.column(NodeField::external_force, c);
-            double sum = 0;
-            for (Index i = begin; i < end; ++i)
-                if (inside_[static_cast<std::size_t>(i)])
-                    sum += static_cast<double>(external[i] * (v[i] - a[i] * dt / 2));
-            node_sums_[static_cast<std::size_t>(task)] += sum;
-        }
-    });
     for (std::size_t c = 0; c < S::dimension; ++c)
         tally_.impulse[c] += static_cast<double>(factor) * load_force_[c] * dt_;
-    for (const double sum : node_sums_) tally_.external_work += static_cast<double>(factor) * sum * dt_;
+    tally_.external_work += static_cast<double>(factor) *
+                            node_work(dt, [&](int c) { return patch_.column(NodeField::external_force, c); });
 }
 
 template <class S>

@@ -1,14 +1,17 @@
 #pragma once
 
+#include <matpoint/damping.hpp>
 #include <matpoint/integrator.hpp>
 #include <matpoint/load.hpp>
 #include <matpoint/material.hpp>
+#include <matpoint/parallel.hpp>
 #include <matpoint/transfer.hpp>
 
 #include "step/light_nodes.hpp"
 #include "step/ordering.hpp"
 #include "step/walls.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -25,6 +28,8 @@ struct Components {
     std::vector<std::shared_ptr<Material<S>>> materials;  ///< one per body
     std::vector<std::shared_ptr<Load<S>>> loads;
     std::vector<PlacedCondition<S>> conditions;
+    std::shared_ptr<Damping<S>> damping;            ///< null if the scene has none
+    bool measures_balance = false;                  ///< whether Tally::unbalanced_force is asked for
     std::shared_ptr<ExactSolution> exact_solution;  ///< null if the scene has none
     double light_nodes = 0;                         ///< share of a full node's mass that makes a node light
 };
@@ -47,6 +52,9 @@ struct Tally {
     double kinetic = 0;                            ///< J, at the end of the step
     double strain_work = 0;                        ///< J, done by the stress in the step
     double external_work = 0;                      ///< J, by loads and moving boundaries in the step
+    double damped = 0;                             ///< J, taken out by damping in the step
+    double noise_energy = 0;                       ///< J, sum m |v - sum S v*|^2 / 2, see RunView::noise
+    double unbalanced_force = 0;                   ///< see RunView
     std::array<double, 3> momentum{};              ///< kg m/s, at the end of the step
     double momentum_scale = 0;                     ///< sum m |v|
     std::array<double, 3> impulse{};               ///< N s, of loads and boundaries in the step
@@ -73,7 +81,7 @@ using PhaseSeconds = std::array<double, step_phases.size()>;
 struct Partial {
     std::size_t body = 0;
     bool off_grid = false;  ///< whether one of the particles has left the grid
-    double kinetic = 0, momentum_scale = 0, strain_work = 0;
+    double kinetic = 0, noise_energy = 0, momentum_scale = 0, strain_work = 0;
     std::array<double, 3> momentum{};
     double largest_speed = 0, largest_wave_speed = 0;
     std::optional<Fault> fault{};
@@ -144,13 +152,53 @@ class Engine final : public Phases<S> {
     void finish_velocity(NodeField field, double time);
     void follow_light_nodes(Real share);
     void add_load_work(Real dt, Real factor);
+    /// J, of a force (N, `force(c)` its component c by node) in the step whose acceleration is done. Folding
+    /// is the transpose of filling, so the nodes within see all of it.
+    template <class Force>
+    double node_work(Real dt, const Force& force) {
+        node_sums_.assign(static_cast<std::size_t>(node_tasks()), 0.0);
+        for_nodes([&](Index task, Index begin, Index end) {
+            for (int c = 0; c < S::dimension; ++c) {
+                const Real* a = patch_.column(NodeField::acceleration, c);
+                const Real* v = patch_.column(NodeField::velocity, c);
+                const Real* f = force(c);
+                double sum = 0;
+                for (Index i = begin; i < end; ++i)
+                    if (inside_[static_cast<std::size_t>(i)])
+                        sum += static_cast<double>(f[i] * (v[i] - a[i] * dt / 2));
+                node_sums_[static_cast<std::size_t>(task)] += sum;
+            }
+        });
+        double work = 0;
+        for (const double sum : node_sums_) work += sum * dt_;
+        return work;
+    }
+    /// How far the nodes' forces are from balance, of which `factor` was taken.
+    void measure_balance(Real factor);
+    /// Adds what the damping slows the nodes down by to their acceleration, with which light nodes follow
+    /// already: in balance their own forces aren't 0.
+    void damp(Real dt);
+    void add_damping_work(Real dt);
+    /// Whether the damping resists a node's motion along an axis: on or within the grid, and not prescribed.
+    bool moves_freely(Index node, int axis) const {
+        const auto i = static_cast<std::size_t>(node);
+        return inside_[i] && (walls_.prescribed_components()[i] >> axis & 1) == 0;
+    }
+    /// Brings all particles to a halt.
+    void stop();
     /// Puts particles back that are beyond closed faces by hardly more than nothing.
     void hold_at_walls();
     void add_reactions(NodeField source, NodeField value, double share, double time);
-    Index node_tasks() const;
+    static constexpr Index nodes_per_task = 8192;
+    Index node_tasks() const { return (patch_.node_count() + nodes_per_task - 1) / nodes_per_task; }
     /// body(task, begin, end) of each task over nodes [begin, end).
     template <class Body>
-    void for_nodes(const Body& body) const;
+    void for_nodes(const Body& body) const {
+        const auto blocks = static_cast<Index>(patch_.existing_blocks().size());
+        parallel_for(node_tasks(), S::dimension * blocks, [&](Index k) {
+            body(k, k * nodes_per_task, std::min(patch_.node_count(), (k + 1) * nodes_per_task));
+        });
+    }
     void collect(typename Phases<S>::Update what);
     void find_stiff_without_waves();
 
@@ -166,6 +214,7 @@ class Engine final : public Phases<S> {
     double largest_mass_ = 0;
     std::vector<char> inside_;            ///< by node: on or within the grid's faces
     std::array<double, 3> load_force_{};  ///< N, sum of the external forces
+    std::vector<Real> damping_force_;     ///< N, by component, then by node
     std::vector<double> node_sums_;       ///< by task over nodes
     std::vector<Partial> partials_;       ///< by task over particles
     PhaseSeconds seconds_{};

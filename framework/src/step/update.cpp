@@ -37,12 +37,17 @@ class Engine<S>::BatchUpdate final : public GatherSink<S> {
 
     void receive(Index begin, int count, const Gathered<S>& gathered) override {
         const ParticleBatch<S> batch(particles_, begin, begin + count, gathered, first_state_);
+        if (what_.lag) return remember_lag(batch);
         if (what_.velocity) {
             guarded(transfer_, "update", [&] { transfer_.update(batch, dt_); });
             add_motion(batch);
+            add_noise(batch);
         }
         if (what_.position) move(batch);
-        if (what_.stress) strain(batch);
+        if (!what_.stress) return;
+        if (!particles_.has(Field::grid_velocity_gradient)) return strain(batch);
+        take_lag(batch);
+        strain(ParticleBatch<S>(particles_, begin, begin + count, lagged_, first_state_));
     }
 
     MATPOINT_FLATTEN void add_motion(const ParticleBatch<S>& batch) {
@@ -97,6 +102,45 @@ class Engine<S>::BatchUpdate final : public GatherSink<S> {
             sums_.off_grid |= any(!inside);
             bounds_.low[a] = -largest(-least);
             bounds_.high[a] = largest(greatest);
+        }
+    }
+
+    /// What the grid's velocity at the particles' places lacks of their own.
+    MATPOINT_FLATTEN void add_noise(const ParticleBatch<S>& batch) {
+        LaneSums noise;
+        visit_packs(batch, [&](const auto& p) {
+            Number square(0);
+            for (int a = 0; a < S::dimension; ++a) {
+                const Number unseen = p.load(Field::velocity, a) -
+                                      p.load(batch.gathered().velocity[static_cast<std::size_t>(a)]);
+                square += unseen * unseen;
+            }
+            noise.add(p, Wide(0.5) * wide(p.mass()) * wide(square));
+        });
+        sums_.noise_energy += noise.total();
+    }
+
+    /// From here on the field holds what the gradient that was gathered has beyond the one that it held.
+    void remember_lag(const ParticleBatch<S>& batch) {
+        for (std::size_t c = 0; c < S::deformation_size; ++c) {
+            Real* const lag =
+                particles_.column(Field::grid_velocity_gradient, static_cast<int>(c)) + batch.begin();
+            const auto& gathered = batch.gathered().velocity_gradient[c];
+            for (Index i = 0; i < batch.end() - batch.begin(); ++i)
+                lag[i] = gathered[static_cast<std::size_t>(i)] - lag[i];
+        }
+    }
+    /// L with the lag, in whose place the field gets what was gathered.
+    void take_lag(const ParticleBatch<S>& batch) {
+        lagged_ = batch.gathered();
+        for (std::size_t c = 0; c < S::deformation_size; ++c) {
+            Real* const lag =
+                particles_.column(Field::grid_velocity_gradient, static_cast<int>(c)) + batch.begin();
+            for (Index i = 0; i < batch.end() - batch.begin(); ++i) {
+                const Real gathered = lagged_.velocity_gradient[c][static_cast<std::size_t>(i)];
+                lagged_.velocity_gradient[c][static_cast<std::size_t>(i)] += lag[i];
+                lag[i] = gathered;
+            }
         }
     }
 
@@ -205,6 +249,7 @@ class Engine<S>::BatchUpdate final : public GatherSink<S> {
     typename Phases<S>::Update what_;
     Real dt_;
     Partial& sums_;
+    Gathered<S> lagged_;  ///< of integrators that lag
 };
 
 template <class S>
@@ -218,7 +263,7 @@ void Engine<S>::update(typename Phases<S>::Update what, Real dt) {
         request.acceleration = transfer.needs_acceleration();
         request.affine = transfer.needs_affine();
     }
-    request.gradient = what.stress;
+    request.gradient = what.lag ? what.lag : what.stress;
 
     partials_.clear();
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
@@ -296,7 +341,7 @@ void Engine<S>::collect(typename Phases<S>::Update what) {
     const bool velocity = what.velocity, stress = what.stress.has_value();
     if (what.position) off_grid_ = false;
     if (velocity) {
-        tally_.kinetic = tally_.momentum_scale = tally_.largest_speed = 0;
+        tally_.kinetic = tally_.noise_energy = tally_.momentum_scale = tally_.largest_speed = 0;
         tally_.momentum = {};
     }
     if (stress) {
@@ -307,6 +352,7 @@ void Engine<S>::collect(typename Phases<S>::Update what) {
         off_grid_ |= part.off_grid;
         if (velocity) {
             tally_.kinetic += part.kinetic;
+            tally_.noise_energy += part.noise_energy;
             tally_.momentum_scale += part.momentum_scale;
             for (std::size_t c = 0; c < 3; ++c) tally_.momentum[c] += part.momentum[c];
             tally_.largest_speed = std::max(tally_.largest_speed, part.largest_speed);

@@ -2,6 +2,7 @@
 #include <matpoint/plugin.hpp>
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 namespace matpoint {
@@ -45,6 +46,15 @@ class Velocity final : public BoundaryCondition<S> {
             if (const auto& component = velocity_[static_cast<std::size_t>(a)])
                 v[a] = static_cast<typename S::Real>((*component)(x, time));
         return v;
+    }
+
+    double settled_at() const override {
+        double time = 0;
+        for (const auto& component : velocity_)
+            if (component)
+                time = std::max(time, component->ends_at_zero() ? component->settled_at()
+                                                                : std::numeric_limits<double>::infinity());
+        return time;
     }
 
   private:

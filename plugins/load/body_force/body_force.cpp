@@ -50,6 +50,13 @@ class BodyForce final : public Load<S> {
         }
     }
 
+    double settled_at() const override {
+        double time = 0;
+        for (const auto& component : acceleration_)
+            if (component) time = std::max(time, component->settled_at());
+        return time;
+    }
+
   private:
     /// Nothing is drawn along the radius where that is 0.
     void refuse_at_axis(const Patch<S>& patch, std::span<Particles<S>> bodies) const {

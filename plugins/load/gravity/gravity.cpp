@@ -38,6 +38,8 @@ class Gravity final : public Load<S> {
         }
     }
 
+    double settled_at() const override { return history_.settled_at(); }
+
   private:
     std::array<double, 3> acceleration_;
     History history_;

@@ -7,6 +7,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -70,6 +71,8 @@ class Manufactured final : public Load<S> {
             for (const Side& side : sides_) add_traction(context, particles, side);
         }
     }
+
+    double settled_at() const override { return std::numeric_limits<double>::infinity(); }
 
   private:
     struct Side {

@@ -77,6 +77,8 @@ class Traction final : public Load<S> {
         context.shape.spread(context.patch, sources, NodeField::external_force);
     }
 
+    double settled_at() const override { return history_.settled_at(); }
+
   private:
     Particles<S>& body(std::span<Particles<S>> bodies) const {
         return *std::find_if(bodies.begin(), bodies.end(), [&](const auto& b) { return b.body() == body_; });

@@ -20,6 +20,7 @@ class Probe final : public Output {
 
     std::vector<std::string> required_fields() const override { return quantity_.required_fields(); }
     std::string body() const override { return quantity_.body(); }
+    bool observes_balance() const override { return quantity_.of_balance(); }
 
     void check(const RunView& run) override { quantity_.find(run); }
 

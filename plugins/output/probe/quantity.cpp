@@ -133,6 +133,9 @@ double Quantity::value(const RunView& run, int component) const {
     if (quantity_ == "strain_energy") return run.energies().strain;
     if (quantity_ == "external_work") return run.energies().external;
     if (quantity_ == "total_energy") return run.energies().total();
+    if (quantity_ == "damped_energy") return run.energies().damped;
+    if (quantity_ == "unbalanced_force") return run.unbalanced_force();
+    if (quantity_ == "noise") return run.noise();
 
     double mass = 0;  // kg
     for (const std::string& body : observed_bodies(run, body_)) {

@@ -14,6 +14,7 @@ class Quantity {
     explicit Quantity(const matpoint::Parameters& parameters);
 
     const std::string& body() const { return body_; }
+    bool of_balance() const { return quantity_ == "unbalanced_force"; }
     std::vector<std::string> required_fields() const;
 
     /// Finds the particle and the components in a run that starts; throws std::runtime_error if they are

@@ -23,6 +23,9 @@ const UseTable table{.chooser = "quantity",
                          {"strain_energy", {refused, refused, refused, refused, refused, refused}},
                          {"external_work", {refused, refused, refused, refused, refused, refused}},
                          {"total_energy", {refused, refused, refused, refused, refused, refused}},
+                         {"damped_energy", {refused, refused, refused, refused, refused, refused}},
+                         {"unbalanced_force", {refused, refused, refused, refused, refused, refused}},
+                         {"noise", {refused, refused, refused, refused, refused, refused}},
                          {"momentum", {possible, refused, possible, refused, refused, refused}},
                          {"mass", {possible, refused, refused, refused, refused, refused}},
                          {"min", {possible, needed, possible, refused, refused, refused}},
@@ -44,9 +47,11 @@ void Quantity::describe(Schema& schema) {
     schema
         .choice(
             "quantity",
-            {.doc = "What is measured: a particle's field; the centre of mass (m); the force of a boundary "
-                    "condition on the bodies (N); energies (J), momentum (kg m/s) and mass (kg); the least, "
-                    "greatest or mean value of a field over particles.",
+            {.doc =
+                 "What is measured: a particle's field; the centre of mass (m); the force of a boundary "
+                 "condition on the bodies (N); energies (J), momentum (kg m/s) and mass (kg); the force that "
+                 "is not in balance, over the forces that should be; the share of the velocity that the "
+                 "grid does not see; the least, greatest or mean value of a field over particles.",
              .choices = std::move(quantities)})
         .add("body", ParameterType::reference,
              {.doc = "The body that is measured; all together if absent.",

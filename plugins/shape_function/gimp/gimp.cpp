@@ -97,6 +97,20 @@ class Gimp final : public DelegatingShape<S> {
         if (wide) wide_.push_back(&particles);
     }
 
+    std::string trouble(const Particles<S>& particles) const override {
+        if (domain_ != "contiguous") return {};
+        constexpr Real half = Real(0.5);  // of what the domain would be if it followed the stretch
+        for (Index p = 0; p < particles.size(); ++p)
+            for (int a = 0; a < S::dimension; ++a)
+                if (particles.column(Field::half_size, a)[p] < half * stretched(particles, a, p))
+                    return "Domains of gimp \"contiguous\" follow the diagonal of F, which shrinks as body "
+                           "\"" +
+                           particles.body() +
+                           "\" turns: particles no longer fill it. Set /shape_function/domain to "
+                           "\"stretched\".";
+        return {};
+    }
+
   private:
     using Numbers = Eigen::Array<Real, Eigen::Dynamic, 1>;
 
@@ -122,6 +136,17 @@ class Gimp final : public DelegatingShape<S> {
                   of(Field::initial_half_size, b))
                      .square();
         l = l.sqrt();
+    }
+
+    static Real stretched(const Particles<S>& particles, int a, Index p) {
+        Real squares = 0;
+        for (int b = 0; b < S::dimension; ++b) {
+            const Real f = Real(a == b ? 1 : 0) +
+                           particles.column(Field::displacement_gradient, a + b * S::dimension)[p];
+            const Real l = f * particles.column(Field::initial_half_size, b)[p];
+            squares += l * l;
+        }
+        return std::sqrt(squares);
     }
 
     const ShapeFunction<S>& shape_of(const Particles<S>& particles) const override {

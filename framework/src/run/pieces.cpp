@@ -1,0 +1,114 @@
+#include "run/pieces.hpp"
+
+#include "step/ordering.hpp"
+
+#include <Eigen/SVD>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace matpoint {
+namespace {
+
+/// Disjoint sets of numbers.
+class Sets {
+  public:
+    explicit Sets(std::size_t count) : parents_(count) { std::iota(parents_.begin(), parents_.end(), 0); }
+    int root(int i) {
+        while (parent(i) != i) i = parent(i) = parent(parent(i));
+        return i;
+    }
+    void join(int i, int j) { parent(root(i)) = root(j); }
+
+  private:
+    int& parent(int i) { return parents_[static_cast<std::size_t>(i)]; }
+    std::vector<int> parents_;
+};
+
+/// First nodes of the particles' stencils, each once, with the number of particles that have it.
+template <class S>
+struct Stencils {
+    std::vector<typename Patch<S>::Coordinates> bases;
+    std::vector<Index> particles;
+};
+
+template <class S>
+Stencils<S> stencils(const Patch<S>& patch, const Particles<S>& particles, const ShapeFunction<S>& shape) {
+    const Bounds<S> room = domain(patch);
+    std::vector<typename Patch<S>::Coordinates> all;
+    for (Index p = 0; p < particles.size(); ++p) {
+        const auto x = particles.position(p).template cast<typename S::Real>().eval();
+        if (!(x.array() >= room.low.array()).all() || !(x.array() <= room.high.array()).all()) continue;
+        shape.base_nodes(patch, particles, p, p + 1, &all.emplace_back());
+    }
+    std::ranges::sort(all);
+    Stencils<S> found;
+    for (const auto& base : all) {
+        if (found.bases.empty() || found.bases.back() != base) {
+            found.bases.push_back(base);
+            found.particles.push_back(0);
+        }
+        ++found.particles.back();
+    }
+    return found;
+}
+
+}  // namespace
+
+template <class S>
+std::vector<Index> pieces(const Patch<S>& patch, const Particles<S>& particles,
+                          const ShapeFunction<S>& shape) {
+    const Stencils<S> found = stencils(patch, particles, shape);
+    const int width = shape.width();
+    Sets sets(found.bases.size());
+    std::vector<int> owners(static_cast<std::size_t>(patch.node_count()), -1);
+    for (int i = 0; i < static_cast<int>(found.bases.size()); ++i) {
+        int nodes = 1;
+        for (int a = 0; a < S::dimension; ++a) nodes *= width;
+        for (int n = 0; n < nodes; ++n) {
+            auto node = found.bases[static_cast<std::size_t>(i)];
+            for (int a = 0, rest = n; a < S::dimension; ++a, rest /= width)
+                node[static_cast<std::size_t>(a)] += rest % width;
+            const int place = patch.node_index(node);
+            if (place < 0) continue;
+            int& owner = owners[static_cast<std::size_t>(place)];
+            if (owner >= 0) sets.join(owner, i);
+            owner = i;
+        }
+    }
+    std::vector<Index> sizes(found.bases.size(), 0);
+    for (int i = 0; i < static_cast<int>(found.bases.size()); ++i)
+        sizes[static_cast<std::size_t>(sets.root(i))] += found.particles[static_cast<std::size_t>(i)];
+    std::erase(sizes, 0);
+    std::ranges::sort(sizes, std::greater());
+    return sizes;
+}
+
+template <class S>
+double widest_spacing(const Patch<S>& patch, const Particles<S>& particles) {
+    const double cell = patch.cell_size().maxCoeff();
+    double widest = 0;
+    for (Index p = 0; p < particles.size(); ++p) {
+        auto volume = particles.value(Field::volume, 0, p);
+        if constexpr (S::axisymmetric) volume /= 2 * std::numbers::pi * particles.position(p)[0];
+        double stretch = 1, growth = 1;  // along the pull, and of the volume or area
+        if (particles.has(Field::displacement_gradient)) {
+            const auto f = ParticleBatch<S>::load_deformation_gradient(particles, p);
+            const Eigen::Matrix<double, S::dimension, S::dimension> plane = f.plane.template cast<double>();
+            stretch = plane.jacobiSvd().singularValues()[0];
+            growth = std::abs(plane.determinant());
+        }
+        const double spacing = stretch * std::pow(volume / growth, 1.0 / S::dimension) / cell;
+        if (std::isfinite(spacing)) widest = std::max(widest, spacing);
+    }
+    return widest;
+}
+
+#define MATPOINT_INSTANTIATE(S)                                                                        \
+    template std::vector<Index> pieces(const Patch<S>&, const Particles<S>&, const ShapeFunction<S>&); \
+    template double widest_spacing(const Patch<S>&, const Particles<S>&);
+MATPOINT_FOR_EACH_SPACE(MATPOINT_INSTANTIATE)
+
+}  // namespace matpoint
