@@ -14,7 +14,7 @@ class FreeDiskVibration final : public FreeVibration {
 
     static Schema schema() {
         Schema schema("Small radial vibration of a disk whose rim is free, at rest or in flight",
-                      "[Love 1927, article 198]");
+                      "[Love 1927, chapter XII]");
         schema.dimensions({2}).refuse(
             "", "is no solution in an axisymmetric space",
             [](const Json&, const Json& scene) { return scene.at("space").at("mode") == "axisymmetric"; });

@@ -26,8 +26,7 @@ class FreeSphereVibration final : public FreeVibration {
     }
 
     static Schema schema() {
-        Schema schema("Small vibration of a ball whose surface is free, at rest or in flight",
-                      "[Love 1927, articles 195, 196]");
+        Schema schema("Small vibration of a ball whose surface is free, at rest or in flight", "[Lamb 1882]");
         schema.dimensions({2, 3})
             .choice("mode",
                     {.doc = "radial: in and out; torsional: its halves turn against each other about z",

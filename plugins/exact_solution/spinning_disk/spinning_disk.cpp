@@ -7,7 +7,7 @@
 namespace matpoint {
 namespace {
 
-/// (w R)^2 rho / (lambda + 2 mu), of the first body.
+/// (w R)^2 rho / (lambda + 2 mu), of the first body; not finite without stiffness.
 double squared_mach_number(const Json& own, const Json& scene) {
     const Json& body = scene.at("bodies").at(own.at("body").at(0).get<std::string>());
     const Json& material = scene.at("materials").at(body.at("material").get<std::string>());
@@ -41,6 +41,10 @@ class SpinningDisk final : public ExactSolution {
             .refuse(
                 "", "is no solution in an axisymmetric space",
                 [](const Json&, const Json& scene) { return scene.at("space").at("mode") == "axisymmetric"; })
+            .refuse("/body", "needs a material with stiffness, which holds the disk together",
+                    [](const Json& own, const Json& scene) {
+                        return !std::isfinite(squared_mach_number(own, scene));
+                    })
             .warn("/angular_velocity",
                   "moves the rim faster than a tenth of the speed of sound: this is a solution for small "
                   "strains",
