@@ -13,7 +13,7 @@ import sys
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[2]
 PAGE = ROOT / "framework/docs/decisions/default_scheme.md"
-PERIOD, ROOT_OF_DISK = 2.955758, 2.125749  # of the disk's mode, s; and its angular frequency, 1/s
+PERIOD, FREQUENCY = 2.955758, 2.125749  # of the disk's mode, s, and 1/s
 
 QUADRATIC = {"type": "bspline", "order": 2}
 
@@ -58,27 +58,25 @@ def probe(folder, name):
 
 
 def vibration(drift):
-    """Amplitude and noise in the last period. The mode's shape U is that of the velocities of the start; what displacements and
-    velocities have of it is a sin(wt) and a cos(wt). Noise: the rest of the velocity, over the mode's largest speed."""
+    """Amplitude, noise and lag in the last period. The mode's shape U is that of the velocities of the start; displacements have
+    a sin(wt - lag) of it, velocities a cos(wt - lag). Noise: the rest of the velocity, over the mode's largest speed."""
     def measure(folder):
         (_, start), *last = state(folder, (0, -3, -2, -1))  # a third of a period apart: sin^2, cos^2 and their product have their means
         shape = [(p["velocity_x"] - drift[0], p["velocity_y"] - drift[1]) for p in start]
         mass = [p["mass"] for p in start]
         largest = max(math.hypot(*u) for u in shape)
         norm = sum(m * (u * u + v * v) for m, (u, v) in zip(mass, shape))
-        squares, rest = 0, 0
+        squares, rest, lags = 0, 0, 0
         for time, now in last:
-            part = {}
-            for what in ("displacement", "velocity"):
-                if what == "velocity":
-                    motion = [(p["velocity_x"] - drift[0], p["velocity_y"] - drift[1]) for p in now]
-                else:
-                    motion = [(p["x"] - q["x"] - drift[0] * time, p["y"] - q["y"] - drift[1] * time) for p, q in zip(now, start)]
-                part[what] = sum(m * (a * u + b * v) for m, (a, b), (u, v) in zip(mass, motion, shape)) / norm
-            squares += (part["displacement"] * ROOT_OF_DISK)**2 + part["velocity"]**2
-            rest += sum(m * ((a - part["velocity"] * u)**2 + (b - part["velocity"] * v)**2)
-                        for m, (a, b), (u, v) in zip(mass, motion, shape)) / sum(mass)
-        return f"{math.sqrt(squares / len(last)):.3f} / {math.sqrt(rest / len(last)) / largest:.3f}"
+            moved = [(p["x"] - q["x"] - drift[0] * time, p["y"] - q["y"] - drift[1] * time) for p, q in zip(now, start)]
+            speed = [(p["velocity_x"] - drift[0], p["velocity_y"] - drift[1]) for p in now]
+            share = [sum(m * (a * u + b * v) for m, (a, b), (u, v) in zip(mass, motion, shape)) / norm for motion in (moved, speed)]
+            sine, cosine = FREQUENCY * share[0], share[1]
+            squares += sine**2 + cosine**2
+            lags += math.remainder(FREQUENCY * time - math.atan2(sine, cosine), 2 * math.pi)
+            rest += sum(m * ((a - cosine * u)**2 + (b - cosine * v)**2)
+                        for m, (a, b), (u, v) in zip(mass, speed, shape)) / sum(mass)
+        return f"{math.sqrt(squares / len(last)):.3f} / {math.sqrt(rest / len(last)) / largest:.3f} / {lags / len(last):.2f}"
     return measure
 
 
@@ -101,10 +99,10 @@ def bounces(folder):
     """Kinetic and strain energy and that of the height, at the top of the flight after the sixth bounce, over those of the start."""
     height, energy = probe(folder, "height"), probe(folder, "energy")
     y = [row[1] for row in height]
-    lows = [i for i in range(1, len(y) - 1) if y[i] < 0.05 and y[i - 1] >= y[i] < y[i + 1] and y[i] == min(y[max(0, i - 30):i + 31])]
-    if len(lows) < 6:
-        return f"{len(lows)} bounces"
-    top = max(range(lows[5], lows[6] if len(lows) > 6 else len(y)), key=lambda i: y[i])
+    contacts = [i for i in range(1, len(y) - 1) if y[i] == min(y[max(0, i - 30):i + 31]) and y[i] < y[i - 1]]  # lowest within 30 ms
+    if len(contacts) < 7:
+        return f"{len(contacts)} bounces"
+    top = max(range(contacts[5], contacts[6]), key=lambda i: y[i])
     fall = math.pi * 0.05**2 * 1000 * 9.81 * 0.01  # J, from the start to the floor
     return f"{(energy[top][1] + fall) / (energy[0][1] + fall):.2f}"
 
