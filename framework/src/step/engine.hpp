@@ -141,12 +141,12 @@ class Engine final : public Phases<S> {
     void fold_light_nodes(NodeField momentum);
     void apply_loads();
     /// Momentum to velocity, zero where there is hardly any mass; then walls, at `time`.
-    void finish_velocity(NodeField field, double time);
+    void finish_velocity(NodeField field, const PathMean& mean);
     void follow_light_nodes(Real share);
     void add_load_work(Real dt, Real factor);
     /// Puts particles back that are beyond closed faces by hardly more than nothing.
     void hold_at_walls();
-    void add_reactions(NodeField source, NodeField value, double share, double time);
+    void add_reactions(NodeField source, NodeField value, double share, const PathMean& mean);
     Index node_tasks() const;
     /// body(task, begin, end) of each task over nodes [begin, end).
     template <class Body>
@@ -172,8 +172,8 @@ class Engine final : public Phases<S> {
 
     long number_ = 0;
     double time_ = 0, dt_ = 0;
-    double velocity_from_ = 0,
-           velocity_to_ = 0;  ///< s, times of the nodal velocities before and after accelerate()
+    /// Of the nodal velocities before and after accelerate(): means of the last step and of this one.
+    PathMean velocity_from_{0}, velocity_to_{0};
     Tally tally_;
     std::vector<char> held_;  ///< by boundary condition
     std::vector<Fault> faults_;
