@@ -284,6 +284,51 @@ TEST(History, RefusesWhatDoesNotFit) {
     EXPECT_TRUE(refuses("/value", {{"type", "formula"}}));
 }
 
+/// Inside, on a face, and in a corner, where the particles are all on one side; then the body is stretched,
+/// turned and moved: the whole force, through the point.
+template <class S>
+void check_point_load() {
+    const std::vector<double> force{3, -2, 5};
+    for (const std::vector<double>& at :
+         {std::vector<double>{1.52, 0.47, 0.5}, {2.0, 0.5, 0.4}, {1.0, 0.25, 0.25}, {1.731, 0.75, 0.75}}) {
+        SCOPED_TRACE(Json(at).dump());
+        const auto d = static_cast<std::size_t>(S::dimension);
+        Block<S> block({{"type", "point_load"},
+                        {"body", "block"},
+                        {"at", std::vector(at.begin(), at.begin() + S::dimension)},
+                        {"force", std::vector(force.begin(), force.begin() + S::dimension)},
+                        {"history", {{"type", "step"}, {"start", 0}}}});
+        Eigen::Matrix3d f;
+        f << 1.1, -0.2, 0.05, 0.25, 0.9, 0.1, -0.1, 0.05, 1.2;
+        for (const bool moved : {false, true}) {
+            typename S::Position point;
+            for (std::size_t a = 0; a < d; ++a) point[static_cast<Index>(a)] = at[a];
+            if (moved) {
+                const typename S::Position shift = S::Position::Constant(0.3);
+                const auto g = f.topLeftCorner<S::dimension, S::dimension>().eval();
+                for (Index p = 0; p < block.bodies[0].size(); ++p) {
+                    const typename S::Position x = g * block.bodies[0].position(p) + shift;
+                    for (int a = 0; a < S::dimension; ++a)
+                        block.bodies[0].set_value(Field::position, a, p, x[a]);
+                }
+                point = g * point + shift;
+            }
+            block.apply();
+            for (int a = 0; a < S::dimension; ++a) {
+                const double expected = force[static_cast<std::size_t>(a)];
+                EXPECT_NEAR(block.force(a), expected, 2 * block.tolerance * std::abs(expected));
+                for (int axis = 0; axis < S::dimension; ++axis)
+                    EXPECT_NEAR(block.centre(a, axis), point[axis], 10 * block.tolerance);
+            }
+        }
+    }
+}
+
+TEST(PointLoad, IsTheWholeForceThroughThePoint) {
+#define CHECK_POINT_LOAD(S) check_point_load<S>();
+    MATPOINT_FOR_EACH_SPACE(CHECK_POINT_LOAD)
+}
+
 TEST(Gravity, ActsOnTheMassOfEveryNode) {
     Block<Solid> block({{"type", "gravity"}, {"acceleration", {1, -2, 3}}, {"history", step}});
     block.apply();
