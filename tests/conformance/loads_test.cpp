@@ -337,8 +337,44 @@ TEST(Gravity, ActsOnTheMassOfEveryNode) {
     EXPECT_NEAR(block.centre(0, 0), 1.5, 1e-13);
 }
 
+/// Its force, and where that acts, is that of the particles, here or where they were before they moved.
+TEST(BodyForce, IsEvaluatedAtParticles) {
+    for (const bool material : {false, true}) {
+        Block<PlaneStrain> block({{"type", "body_force"},
+                                  {"acceleration", {"x^2 + t", "x*y"}},
+                                  {"at", "particles"},
+                                  {"coordinates", material ? "material" : "present"}});
+        Particles<PlaneStrain>& particles = block.bodies[0];
+        double force = 0, moment = 0;
+        for (Index p = 0; p < particles.size(); ++p) {
+            const auto start = particles.position(p);
+            if (material)
+                for (int a = 0; a < 2; ++a) particles.set_value(Field::initial_position, a, p, start[a]);
+            particles.set_value(Field::position, 0, p, start[0] * 1.25 - 0.5);
+            const auto present = particles.position(p), x = material ? start : present;
+            const double mass = particles.column(Field::mass)[p];
+            force += mass * (x[0] * x[0] + 2);
+            moment += mass * (present[0] * x[0] * x[1] - present[1] * (x[0] * x[0] + 2));
+        }
+        block.apply(2);
+        EXPECT_NEAR(block.force(0), force, 1e-13);
+        EXPECT_NEAR(block.force(1) * block.centre(1, 0) - block.force(0) * block.centre(0, 1), moment, 1e-13);
+    }
+}
+
+TEST(BodyForce, NodesHaveNoMaterialCoordinates) {
+    const Schema schema = schema_of("load", "body_force");
+    Json own = {{"acceleration", {"x", 0}}, {"at", "nodes"}, {"coordinates", "material"}};
+    EXPECT_TRUE(has_rule(schema, true, "/coordinates", own));
+    own["at"] = "particles";
+    EXPECT_FALSE(has_rule(schema, true, "/coordinates", own));
+}
+
 TEST(BodyForce, IsEvaluatedAtNodes) {
-    Block<PlaneStrain> block({{"type", "body_force"}, {"acceleration", {"x + y + t", nullptr}}});
+    Block<PlaneStrain> block({{"type", "body_force"},
+                              {"acceleration", {"x + y + t", nullptr}},
+                              {"at", "nodes"},
+                              {"coordinates", "present"}});
     block.apply(2);
     // Linear in position, so the mean over the block is that at its centre (1.5, 0.5).
     EXPECT_NEAR(block.force(0), 0.5 * (1.5 + 0.5 + 2), 1e-14);
