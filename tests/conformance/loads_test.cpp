@@ -284,6 +284,51 @@ TEST(History, RefusesWhatDoesNotFit) {
     EXPECT_TRUE(refuses("/value", {{"type", "formula"}}));
 }
 
+/// Inside, on a face, and in a corner, where the particles are all on one side; then the body is stretched,
+/// turned and moved: the whole force, through the point.
+template <class S>
+void check_point_load() {
+    const std::vector<double> force{3, -2, 5};
+    for (const std::vector<double>& at :
+         {std::vector<double>{1.52, 0.47, 0.5}, {2.0, 0.5, 0.4}, {1.0, 0.25, 0.25}, {1.731, 0.75, 0.75}}) {
+        SCOPED_TRACE(Json(at).dump());
+        const auto d = static_cast<std::size_t>(S::dimension);
+        Block<S> block({{"type", "point_load"},
+                        {"body", "block"},
+                        {"at", std::vector(at.begin(), at.begin() + S::dimension)},
+                        {"force", std::vector(force.begin(), force.begin() + S::dimension)},
+                        {"history", {{"type", "step"}, {"start", 0}}}});
+        Eigen::Matrix3d f;
+        f << 1.1, -0.2, 0.05, 0.25, 0.9, 0.1, -0.1, 0.05, 1.2;
+        for (const bool moved : {false, true}) {
+            typename S::Position point;
+            for (std::size_t a = 0; a < d; ++a) point[static_cast<Index>(a)] = at[a];
+            if (moved) {
+                const typename S::Position shift = S::Position::Constant(0.3);
+                const auto g = f.topLeftCorner<S::dimension, S::dimension>().eval();
+                for (Index p = 0; p < block.bodies[0].size(); ++p) {
+                    const typename S::Position x = g * block.bodies[0].position(p) + shift;
+                    for (int a = 0; a < S::dimension; ++a)
+                        block.bodies[0].set_value(Field::position, a, p, x[a]);
+                }
+                point = g * point + shift;
+            }
+            block.apply();
+            for (int a = 0; a < S::dimension; ++a) {
+                const double expected = force[static_cast<std::size_t>(a)];
+                EXPECT_NEAR(block.force(a), expected, 2 * block.tolerance * std::abs(expected));
+                for (int axis = 0; axis < S::dimension; ++axis)
+                    EXPECT_NEAR(block.centre(a, axis), point[axis], 10 * block.tolerance);
+            }
+        }
+    }
+}
+
+TEST(PointLoad, IsTheWholeForceThroughThePoint) {
+#define CHECK_POINT_LOAD(S) check_point_load<S>();
+    MATPOINT_FOR_EACH_SPACE(CHECK_POINT_LOAD)
+}
+
 TEST(Gravity, ActsOnTheMassOfEveryNode) {
     Block<Solid> block({{"type", "gravity"}, {"acceleration", {1, -2, 3}}, {"history", step}});
     block.apply();
@@ -292,8 +337,44 @@ TEST(Gravity, ActsOnTheMassOfEveryNode) {
     EXPECT_NEAR(block.centre(0, 0), 1.5, 1e-13);
 }
 
+/// Its force, and where that acts, is that of the particles, here or where they were before they moved.
+TEST(BodyForce, IsEvaluatedAtParticles) {
+    for (const bool material : {false, true}) {
+        Block<PlaneStrain> block({{"type", "body_force"},
+                                  {"acceleration", {"x^2 + t", "x*y"}},
+                                  {"at", "particles"},
+                                  {"coordinates", material ? "material" : "present"}});
+        Particles<PlaneStrain>& particles = block.bodies[0];
+        double force = 0, moment = 0;
+        for (Index p = 0; p < particles.size(); ++p) {
+            const auto start = particles.position(p);
+            if (material)
+                for (int a = 0; a < 2; ++a) particles.set_value(Field::initial_position, a, p, start[a]);
+            particles.set_value(Field::position, 0, p, start[0] * 1.25 - 0.5);
+            const auto present = particles.position(p), x = material ? start : present;
+            const double mass = particles.column(Field::mass)[p];
+            force += mass * (x[0] * x[0] + 2);
+            moment += mass * (present[0] * x[0] * x[1] - present[1] * (x[0] * x[0] + 2));
+        }
+        block.apply(2);
+        EXPECT_NEAR(block.force(0), force, 1e-13);
+        EXPECT_NEAR(block.force(1) * block.centre(1, 0) - block.force(0) * block.centre(0, 1), moment, 1e-13);
+    }
+}
+
+TEST(BodyForce, NodesHaveNoMaterialCoordinates) {
+    const Schema schema = schema_of("load", "body_force");
+    Json own = {{"acceleration", {"x", 0}}, {"at", "nodes"}, {"coordinates", "material"}};
+    EXPECT_TRUE(has_rule(schema, true, "/coordinates", own));
+    own["at"] = "particles";
+    EXPECT_FALSE(has_rule(schema, true, "/coordinates", own));
+}
+
 TEST(BodyForce, IsEvaluatedAtNodes) {
-    Block<PlaneStrain> block({{"type", "body_force"}, {"acceleration", {"x + y + t", nullptr}}});
+    Block<PlaneStrain> block({{"type", "body_force"},
+                              {"acceleration", {"x + y + t", nullptr}},
+                              {"at", "nodes"},
+                              {"coordinates", "present"}});
     block.apply(2);
     // Linear in position, so the mean over the block is that at its centre (1.5, 0.5).
     EXPECT_NEAR(block.force(0), 0.5 * (1.5 + 0.5 + 2), 1e-14);

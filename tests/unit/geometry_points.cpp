@@ -34,6 +34,21 @@ TEST_F(GeometryPoints, ReadsColumnsInAnyOrder) {
     EXPECT_EQ(geometry->bounds().max, Eigen::Vector3d(1, 2, 0));
 }
 
+TEST_F(GeometryPoints, ReadsDomains) {
+    write("points.csv", "x,y,dy,volume,dx\n1,2,0.5,0.1,0.2\n2,2,0.2,0.2,1\n");
+    const auto points = listed(*make(own, 2));
+    ASSERT_TRUE(points[0].half_size && points[1].half_size);
+    EXPECT_EQ(*points[0].half_size, Eigen::Vector3d(0.1, 0.25, 0));
+    EXPECT_EQ(*points[1].half_size, Eigen::Vector3d(0.5, 0.1, 0));
+    EXPECT_SAYS(error_of_file("x,y,volume,dx,dy\n1,2,0.1,0.2,0.5\n1,2,0.11,0.2,0.5\n"),
+                "point 2 has volume 0.11");
+    EXPECT_SAYS(error_of_file("x,y,volume,dx\n1,2,0.1,0.2\n"), "edges along all axes");
+    EXPECT_SAYS(error_of_file("x,y,volume,dx,dy\n1,2,0.1,0,0.5\n"),
+                "column \"dx\": expected a number greater than 0");
+    write("points.csv", "x,y,volume,dx,dy\n0.5,2,0.31415926535897931,0.2,0.5\n");
+    EXPECT_NO_THROW(make(own, Mode::axisymmetric));
+}
+
 TEST_F(GeometryPoints, ReportsEveryMistakeWithItsLine) {
     const std::string error = error_of_file(
         "x,y,volume\n"
@@ -55,8 +70,9 @@ TEST_F(GeometryPoints, ReportsMistakesInTheHeader) {
     const std::string error = error_of_file("x,z,x,vol\n0,0,0,0\n");
     EXPECT_SAYS(error, "points.csv:1: column \"z\" is not known in 2D");
     EXPECT_SAYS(error, "points.csv:1: column \"x\" is there twice");
-    EXPECT_SAYS(error,
-                "points.csv:1: column \"vol\" is not known in 2D; expected some of x, y, vx, vy, volume");
+    EXPECT_SAYS(
+        error,
+        "points.csv:1: column \"vol\" is not known in 2D; expected some of x, y, vx, vy, dx, dy, volume");
     EXPECT_SAYS(error, "points.csv:1: column \"y\" is missing");
     EXPECT_SAYS(error, "points.csv:1: column \"volume\" is missing");
 }

@@ -61,6 +61,12 @@ TEST_F(GeometryVolume, LinesAgreeWithPoints) {
                              tube({0.1, 0.5, 0.5}, {0.9, 0.5, 0.5}),
                              tube({0.5, 0.1, 0.5}, {0.5, 0.9, 0.5}),
                              tube({0.5, 0.5, 0.9}, {0.5, 0.5, 0.1})};
+    for (const char* axis : {"x", "y", "z"})
+        all.push_back({{"type", "extrusion"},
+                       {"vertices", {{0.1, 0.1}, {0.9, 0.2}, {0.8, 0.9}, {0.5, 0.3}, {0.2, 0.9}}},
+                       {"axis", axis},
+                       {"from", 0.2},
+                       {"to", 0.7}});
     for (const char* type : {"union", "intersection", "difference"}) {
         all.push_back({{"type", type}, {"of", {ball, box}}});
         all.push_back({{"type", type}, {"of", {oblique, all.back(), ball}}});
@@ -123,6 +129,44 @@ TEST_F(GeometryVolume, WhatIsPutTogetherFromBoxesHasIts) {
     const Json inner = {{"type", "box"}, {"min", {0.14, 0.16, 0.18}}, {"max", {1.48, 1.37, 1.21}}};
     expect_volume<Solid>({{"type", "difference"}, {"of", {outer, inner}}},
                          1.39 * 1.28 * 1.17 - 1.34 * 1.21 * 1.03, 1e-12);
+}
+
+/// Twice the area and six times the first moment about u = 0 of a polygon [shoelace formula].
+std::pair<double, double> shoelace(const Json& vertices) {
+    double area = 0, moment = 0;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const Json &a = vertices[i], &b = vertices[(i + 1) % vertices.size()];
+        const double cross = double(a[0]) * double(b[1]) - double(b[0]) * double(a[1]);
+        area += cross;
+        moment += (double(a[0]) + double(b[0])) * cross;
+    }
+    return {area, moment};
+}
+
+TEST_F(GeometryVolume, PolygonsHaveTheirs) {
+    for (const double at : {0.0, 0.0333, 0.07}) {
+        Json dented = {{0.31, 0.2},  {1.1, 0.27}, {1.53, 0.2}, {1.2, 0.9},
+                       {1.41, 1.63}, {0.7, 0.6},  {0.36, 1.2}};
+        Json thin = {{0.3, 0.3}, {1.7, 0.3005}, {1.0, 0.317}};
+        for (Json* const vertices : {&dented, &thin}) {
+            for (Json& vertex : *vertices) vertex[0] = double(vertex[0]) + at;
+            const auto [area, moment] = shoelace(*vertices);
+            const Json plane = {{"type", "polygon"}, {"vertices", *vertices}};
+            expect_volume<PlaneStrain>(plane, area / 2, 1e-12);
+            expect_volume<PlaneStrainSingle>(plane, area / 2, 1e-5);
+            expect_volume<Axisymmetric>(plane, 2 * pi * moment / 6, 1e-12);
+            const auto drawn = [&](const char* axis) {
+                return Json{{"type", "extrusion"},
+                            {"vertices", *vertices},
+                            {"axis", axis},
+                            {"from", 0.413},
+                            {"to", 0.83}};
+            };
+            expect_volume<Solid>(drawn("y"), 0.417 * area / 2, 1e-12);
+            expect_volume<Solid>(drawn("z"), 0.417 * area / 2, 1e-12);
+            if (vertices == &dented) expect_volume<Solid>(drawn("x"), 0.417 * area / 2, 1e-3);
+        }
+    }
 }
 
 TEST_F(GeometryVolume, RoundBodiesHaveTheirs) {

@@ -36,7 +36,7 @@ enum class ParameterType {
     object,      ///< an object described by `nested`
     map,  ///< an object of at least `at_least` names of the user's: each a component of `kind`, or an object
           ///< described by `nested`
-    any,  ///< kept as given
+    any,  ///< kept as given; with a unit, numbers in lists are resolved to SI
 };
 
 /// One parameter's description. Written with designated initialisers: {.unit = "Pa", .doc = "…"}.

@@ -134,7 +134,7 @@ std::string expected(const Parameter& p, int dimension) {
         case ParameterType::any:
             break;
     }
-    return "anything";
+    return p.unit.empty() ? "anything" : "lists of numbers" + restrictions(p);
 }
 
 std::string usable_variables(const ParameterOptions& options, int dimension) {

@@ -101,7 +101,7 @@ Json value(const Parameter& p) {
         case ParameterType::any:
             break;
     }
-    return Json::object();
+    return p.unit.empty() ? Json::object() : Json{{"type", "array"}};
 }
 
 Json object(const std::vector<const Parameter*>& parameters, bool is_component) {

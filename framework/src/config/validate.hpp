@@ -43,6 +43,7 @@ class Validator {
 
     Json value(const Parameter& parameter, const Json& given, const std::string& at);
     Json number(const ParameterOptions& options, const Json& given, const std::string& at);
+    Json numbers_within(const Parameter& parameter, const Json& given, const std::string& at);
     Json integer(const Parameter& parameter, const Json& given, const std::string& at);
     Json choice(const Parameter& parameter, const Json& given, const std::string& at);
     Json file(const Parameter& parameter, const Json& given, const std::string& at);

@@ -97,9 +97,17 @@ Json Validator::value(const Parameter& p, const Json& given, const std::string& 
         case ParameterType::map:
             return map(p, given, at);
         case ParameterType::any:
-            break;
+            return p.unit.empty() ? given : numbers_within(p, given, at);
     }
     return given;
+}
+
+// A unit says that there is nothing but numbers, in lists as deep as may be.
+Json Validator::numbers_within(const Parameter& p, const Json& given, const std::string& at) {
+    if (!given.is_array()) return number(p, given, at);
+    return list(p, given, at, 0, [&](const Json& item, const std::string& pointer) {
+        return numbers_within(p, item, pointer);
+    });
 }
 
 Json Validator::number(const ParameterOptions& options, const Json& given, const std::string& at) {

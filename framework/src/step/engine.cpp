@@ -48,8 +48,8 @@ void Engine<S>::step(long number, double time, double dt, double last_dt) {
     time_ = time;
     dt_ = dt;
     const bool staggered = components_.integrator->staggered();
-    velocity_from_ = staggered && number > 0 ? time - last_dt / 2 : time;
-    velocity_to_ = staggered ? time + dt / 2 : time + dt;
+    velocity_from_ = {staggered && number > 0 ? time - last_dt / 2 : time, number > 0 ? -last_dt : 0};
+    velocity_to_ = {staggered ? time + dt / 2 : time + dt, dt};
     faults_.clear();
     const double energy_before = tally_.kinetic;
     tally_.strain_work = tally_.external_work = tally_.damped = 0;
@@ -83,7 +83,8 @@ void Engine<S>::prepare() {
 template <class S>
 void Engine<S>::project_velocity(double time) {
     const Tally kept = tally_;
-    time_ = velocity_from_ = time;
+    time_ = time;
+    velocity_from_ = {time};
     prepare();
     project({.velocity = true});
     tally_ = kept;  // no step was taken
@@ -148,10 +149,12 @@ void Engine<S>::project(typename Phases<S>::Projection projection) {
         if (share > 0)
             add_reactions(NodeField::acceleration, NodeField::velocity, static_cast<double>(share),
                           velocity_from_);
-        if (!projection.internal_force) {  // it is to be read before it is accelerated
+        if (!projection.internal_force) {  // it is to be read before it is accelerated, as that of this step
+            const PathMean ahead{velocity_from_.time, dt_};
+            walls_.constrain(patch_, NodeField::velocity, ahead);
             light_nodes_.keep_velocity(patch_);
             light_nodes_.follow_velocity(patch_, NodeField::velocity);
-            walls_.fill_velocity(patch_, NodeField::velocity, velocity_from_);
+            walls_.fill_velocity(patch_, NodeField::velocity, ahead);
         }
     }
     if (projection.internal_force) walls_.fold_force(patch_, NodeField::force);
@@ -182,7 +185,7 @@ void Engine<S>::apply_loads() {
 }
 
 template <class S>
-void Engine<S>::finish_velocity(NodeField field, double time) {
+void Engine<S>::finish_velocity(NodeField field, const PathMean& mean) {
     // However small the mass, momentum over mass is a mean of the particles' velocities, which read it
     // back: cutting it off would strain a body that flies freely.
     const Real* mass = patch_.column(NodeField::mass);
@@ -193,8 +196,8 @@ void Engine<S>::finish_velocity(NodeField field, double time) {
             for (Index i = begin; i < end; ++i) v[i] = mass[i] > smallest ? v[i] / mass[i] : Real(0);
         }
     });
-    walls_.constrain(patch_, field, time);
-    walls_.fill_velocity(patch_, field, time);
+    walls_.constrain(patch_, field, mean);
+    walls_.fill_velocity(patch_, field, mean);
 }
 
 template <class S>
@@ -231,7 +234,8 @@ void Engine<S>::accelerate(Real dt, Real factor) {
     follow_light_nodes(components_.transfer->grid_share() / dt);
     walls_.fill_acceleration(patch_, velocity_from_, velocity_to_, dt_);
     walls_.fill_velocity(patch_, NodeField::velocity, velocity_to_);
-    add_reactions(NodeField::force, NodeField::acceleration, dt_, (velocity_from_ + velocity_to_) / 2);
+    add_reactions(NodeField::force, NodeField::acceleration, dt_,
+                  {(velocity_from_.time + velocity_to_.time) / 2});
     if (loaded) add_load_work(dt, factor);
     if (components_.damping) add_damping_work(dt);
 }
@@ -255,10 +259,10 @@ void Engine<S>::add_load_work(Real dt, Real factor) {
 }
 
 template <class S>
-void Engine<S>::add_reactions(NodeField source, NodeField value, double share, double time) {
+void Engine<S>::add_reactions(NodeField source, NodeField value, double share, const PathMean& mean) {
     if (walls_.conditions().empty()) return;
     std::vector<typename Walls<S>::Sum> sums(walls_.conditions().size());
-    walls_.reaction(patch_, source, value, time, sums);
+    walls_.reaction(patch_, source, value, mean, sums);
     for (std::size_t k = 0; k < sums.size(); ++k) {
         tally_.external_work += sums[k].power * share;
         if (sums[k].held) held_[k] = 1;

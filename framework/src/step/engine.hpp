@@ -146,10 +146,9 @@ class Engine final : public Phases<S> {
     void scatter(const Scatter& request);
     /// Whether particles extend their velocity to the nodes' places in this momentum.
     bool extends(NodeField momentum) const;
-    void fold_light_nodes(NodeField momentum);
     void apply_loads();
     /// Momentum to velocity, zero where there is hardly any mass; then walls, at `time`.
-    void finish_velocity(NodeField field, double time);
+    void finish_velocity(NodeField field, const PathMean& mean);
     void follow_light_nodes(Real share);
     void add_load_work(Real dt, Real factor);
     /// J, of a force (N, `force(c)` its component c by node) in the step whose acceleration is done. Folding
@@ -188,7 +187,7 @@ class Engine final : public Phases<S> {
     void stop();
     /// Puts particles back that are beyond closed faces by hardly more than nothing.
     void hold_at_walls();
-    void add_reactions(NodeField source, NodeField value, double share, double time);
+    void add_reactions(NodeField source, NodeField value, double share, const PathMean& mean);
     static constexpr Index nodes_per_task = 8192;
     Index node_tasks() const { return (patch_.node_count() + nodes_per_task - 1) / nodes_per_task; }
     /// body(task, begin, end) of each task over nodes [begin, end).
@@ -221,8 +220,8 @@ class Engine final : public Phases<S> {
 
     long number_ = 0;
     double time_ = 0, dt_ = 0;
-    double velocity_from_ = 0,
-           velocity_to_ = 0;  ///< s, times of the nodal velocities before and after accelerate()
+    /// Of the nodal velocities before and after accelerate(): means of the last step and of this one.
+    PathMean velocity_from_{0}, velocity_to_{0};
     Tally tally_;
     std::vector<char> held_;  ///< by boundary condition
     std::vector<Fault> faults_;

@@ -293,7 +293,7 @@ template <class S>
 void Engine<S>::hold_at_walls() {
     off_grid_ = false;
     for (const Stray& stray : ordering_.strays(patch_, bodies_))
-        if (!walls_.hold(patch_, bodies_[stray.body], stray.particle, velocity_to_)) off_grid_ = true;
+        if (!walls_.hold(patch_, bodies_[stray.body], stray.particle, velocity_to_.time)) off_grid_ = true;
     for (std::size_t b = 0; b < bodies_.size(); ++b) ordering_.measure(bodies_[b], b);
 }
 

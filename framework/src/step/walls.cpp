@@ -11,7 +11,8 @@ constexpr double reach_of_walls = 0.1;
 }  // namespace
 
 template <class S>
-Walls<S>::Walls(std::vector<PlacedCondition<S>> conditions) : conditions_(std::move(conditions)) {
+Walls<S>::Walls(std::vector<PlacedCondition<S>> conditions)
+    : conditions_(std::move(conditions)), carries_(conditions_.size(), Vector(Vector::Zero())) {
     for (int axis = 0; axis < S::dimension; ++axis)
         for (int side = 0; side < 2; ++side) {
             Face face{axis, side, {}, false, {}};
@@ -22,9 +23,18 @@ Walls<S>::Walls(std::vector<PlacedCondition<S>> conditions) : conditions_(std::m
                 const auto prescribes = prescribed(k, axis);
                 for (std::size_t c = 0; c < S::dimension; ++c)
                     if (prescribes[c]) face.condition[c] = static_cast<int>(k);
+                carry(k, prescribes);
             }
             faces_.push_back(std::move(face));
         }
+    for (std::size_t k = 0; k < conditions_.size(); ++k)
+        if (conditions_[k].region) carry(k, prescribed(k, -1));
+}
+
+template <class S>
+void Walls<S>::carry(std::size_t condition, const std::array<bool, 3>& prescribes) {
+    for (int c = 0; c < S::dimension; ++c)
+        if (prescribes[static_cast<std::size_t>(c)]) carries_[condition][c] = 1;
 }
 
 template <class S>
@@ -84,11 +94,46 @@ void Walls<S>::locate(const Patch<S>& patch) {
 }
 
 template <class S>
-typename S::Real Walls<S>::velocity(int condition, int component, const Position& position,
-                                    double time) const {
-    const BoundaryCondition<S>& own = *conditions_[static_cast<std::size_t>(condition)].condition;
-    return guarded(own, "velocity", [&] { return own.velocity(position, time)[component]; });
+typename S::Vector Walls<S>::field(std::size_t condition, const Position& position, double time) const {
+    const BoundaryCondition<S>& own = *conditions_[condition].condition;
+    const Vector v = guarded(own, "velocity", [&] { return own.velocity(position, time); });
+    return (carries_[condition].array() != 0).select(v, Vector::Zero());
 }
+
+/// By the classical method of Runge and Kutta; where a component is the same all along, that to the bit.
+template <class S>
+typename S::Vector Walls<S>::velocity(int condition, const Position& position, const PathMean& mean) const {
+    const auto k = static_cast<std::size_t>(condition);
+    const auto after = [&](double part, const Vector& v) {
+        return field(k, position + part * mean.span * v.template cast<double>(), mean.time);
+    };
+    const Vector first = field(k, position, mean.time);
+    if (mean.span == 0 || first.isZero(0)) return first;
+    const Vector second = after(0.5, first), third = second == first ? second : after(0.5, second),
+                 last = after(1, third);
+    return first + (2 * (second - first) + 2 * (third - first) + (last - first)) / 6;
+}
+
+/// Components at one node come one after the other: their velocity is asked for once.
+template <class S>
+class Walls<S>::Velocities {
+  public:
+    Velocities(const Walls& walls, const PathMean& mean) : walls_(walls), mean_(mean) {}
+
+    Real operator()(const Prescribed& p) {
+        if (p.node != node_ || p.condition != condition_)
+            velocity_ = walls_.velocity(p.condition, p.position, mean_);
+        node_ = p.node;
+        condition_ = p.condition;
+        return velocity_[p.component];
+    }
+
+  private:
+    const Walls& walls_;
+    PathMean mean_;
+    int node_ = -1, condition_ = -1;
+    Vector velocity_;
+};
 
 template <class S>
 std::array<bool, 3> Walls<S>::prescribed(std::size_t condition, int axis) const {
@@ -111,7 +156,7 @@ void Walls<S>::fold_mass(Patch<S>& patch) const {
 }
 
 template <class S>
-void Walls<S>::fold_momentum(Patch<S>& patch, NodeField momentum, double time) const {
+void Walls<S>::fold_momentum(Patch<S>& patch, NodeField momentum, const PathMean& mean) const {
     fold_force(patch, momentum);
     // The mirrored body moves with 2 V - v where the wall moves with V.
     const Real* mass = patch.column(NodeField::mass);
@@ -121,7 +166,7 @@ void Walls<S>::fold_momentum(Patch<S>& patch, NodeField momentum, double time) c
             if (condition < 0) continue;
             Real* p = patch.column(momentum, c);
             for (const Link& link : face.links)
-                p[link.inner] += 2 * mass[link.ghost] * velocity(condition, c, link.position, time);
+                p[link.inner] += 2 * mass[link.ghost] * velocity(condition, link.position, mean)[c];
         }
 }
 
@@ -143,18 +188,18 @@ void Walls<S>::fold_force(Patch<S>& patch, NodeField force) const {
 }
 
 template <class S>
-void Walls<S>::constrain(Patch<S>& patch, NodeField field, double time) const {
-    for (const Prescribed& p : prescribed_)
-        patch.column(field, p.component)[p.node] = velocity(p.condition, p.component, p.position, time);
+void Walls<S>::constrain(Patch<S>& patch, NodeField field, const PathMean& mean) const {
+    Velocities velocity(*this, mean);
+    for (const Prescribed& p : prescribed_) patch.column(field, p.component)[p.node] = velocity(p);
 }
 
 template <class S>
-void Walls<S>::constrain_acceleration(Patch<S>& patch, double from, double to, double dt) const {
+void Walls<S>::constrain_acceleration(Patch<S>& patch, const PathMean& from, const PathMean& to,
+                                      double dt) const {
+    Velocities before(*this, from), after(*this, to);
     for (const Prescribed& p : prescribed_)
         patch.column(NodeField::acceleration, p.component)[p.node] =
-            (velocity(p.condition, p.component, p.position, to) -
-             velocity(p.condition, p.component, p.position, from)) /
-            static_cast<Real>(dt);
+            (after(p) - before(p)) / static_cast<Real>(dt);
 }
 
 template <class S>
@@ -177,20 +222,21 @@ void Walls<S>::fill(Patch<S>& patch, NodeField field, const Value& prescribed) c
 }
 
 template <class S>
-void Walls<S>::fill_velocity(Patch<S>& patch, NodeField field, double time) const {
+void Walls<S>::fill_velocity(Patch<S>& patch, NodeField field, const PathMean& mean) const {
     fill(patch, field,
-         [&](int condition, int c, const Position& x) { return velocity(condition, c, x, time); });
+         [&](int condition, int c, const Position& x) { return velocity(condition, x, mean)[c]; });
 }
 
 template <class S>
-void Walls<S>::fill_acceleration(Patch<S>& patch, double from, double to, double dt) const {
+void Walls<S>::fill_acceleration(Patch<S>& patch, const PathMean& from, const PathMean& to, double dt) const {
     fill(patch, NodeField::acceleration, [&](int condition, int c, const Position& x) {
-        return (velocity(condition, c, x, to) - velocity(condition, c, x, from)) / static_cast<Real>(dt);
+        return (velocity(condition, x, to)[c] - velocity(condition, x, from)[c]) / static_cast<Real>(dt);
     });
 }
 
 template <class S>
-void Walls<S>::add_change_of_ghosts(Patch<S>& patch, NodeField field, double time, Real share) const {
+void Walls<S>::add_change_of_ghosts(Patch<S>& patch, NodeField field, const PathMean& mean,
+                                    Real share) const {
     const Real* const mass = patch.column(NodeField::mass);
     for (const Face& face : faces_)
         for (int c = 0; c < S::dimension; ++c) {
@@ -201,7 +247,7 @@ void Walls<S>::add_change_of_ghosts(Patch<S>& patch, NodeField field, double tim
             for (const Link& link : face.links)
                 force[link.ghost] +=
                     share * mass[link.ghost] *
-                    (v[link.ghost] + v[link.inner] - 2 * velocity(condition, c, link.position, time));
+                    (v[link.ghost] + v[link.inner] - 2 * velocity(condition, link.position, mean)[c]);
         }
 }
 
@@ -214,7 +260,7 @@ std::optional<Exit> Walls<S>::exit(const Face& face, const Patch<S>& patch, cons
     Exit exit{face_name(face.axis, face.side), distance * patch.inverse_cell_size()[face.axis],
               Exit::Through::open};
     if (const int condition = face.condition[static_cast<std::size_t>(face.axis)]; condition >= 0)
-        exit.through = inwards * static_cast<double>(velocity(condition, face.axis, x, time)) < 0
+        exit.through = inwards * static_cast<double>(velocity(condition, x, {time})[face.axis]) < 0
                            ? Exit::Through::outflow
                            : Exit::Through::closed;
     return exit;
@@ -240,13 +286,13 @@ bool Walls<S>::hold(const Patch<S>& patch, Particles<S>& particles, Index partic
 }
 
 template <class S>
-void Walls<S>::reaction(const Patch<S>& patch, NodeField source, NodeField value, double time,
+void Walls<S>::reaction(const Patch<S>& patch, NodeField source, NodeField value, const PathMean& mean,
                         std::vector<Sum>& sums) const {
     const Real* mass = patch.column(NodeField::mass);
     const auto add = [&](int condition, int c, double amount, const Position& x) {
         Sum& sum = sums[static_cast<std::size_t>(condition)];
         sum.total[static_cast<std::size_t>(c)] += amount;
-        sum.power += amount * static_cast<double>(velocity(condition, c, x, time));
+        sum.power += amount * static_cast<double>(velocity(condition, x, mean)[c]);
     };
     for (const Prescribed& p : prescribed_) {
         const Real* s = patch.column(source, p.component);
@@ -267,7 +313,7 @@ void Walls<S>::reaction(const Patch<S>& patch, NodeField source, NodeField value
                 add(condition, c,
                     static_cast<double>(mass[link.ghost] *
                                             (v[link.ghost] - v[link.inner] +
-                                             moving * velocity(condition, c, link.position, time)) -
+                                             moving * velocity(condition, link.position, mean)[c]) -
                                         2 * s[link.ghost]),
                     link.position);
         }

@@ -23,6 +23,15 @@ struct PlacedCondition {
     std::shared_ptr<Geometry> region;
 };
 
+/// What a prescribed velocity is asked for: the mean over the path of the material at a node, as the field at
+/// `time` carries it, within `span` from now, or if that is negative until now; with 0 the field at the node.
+/// Material that moves with the velocity of a place leaves its path along the chord: it would spiral out of a
+/// rotation.
+struct PathMean {
+    double time;      ///< s
+    double span = 0;  ///< s
+};
+
 /// What scenes call the grid's face normal to `axis`; side 0 is the lower one.
 inline std::string face_name(int axis, int side) {
     return std::string(1, "xyz"[axis]) + (side == 0 ? "_min" : "_max");
@@ -52,6 +61,7 @@ template <class S>
 class Walls {
   public:
     using Real = typename S::Real;
+    using Vector = typename S::Vector;
     using Position = typename S::Position;
 
     explicit Walls(std::vector<PlacedCondition<S>> conditions);
@@ -60,17 +70,17 @@ class Walls {
     void locate(const Patch<S>& patch);
 
     void fold_mass(Patch<S>& patch) const;
-    /// Folds momentum, which holds mass times velocity at `time`. Call after fold_mass.
-    void fold_momentum(Patch<S>& patch, NodeField momentum, double time) const;
+    /// Folds momentum, which holds mass times velocity at `mean`. Call after fold_mass.
+    void fold_momentum(Patch<S>& patch, NodeField momentum, const PathMean& mean) const;
     void fold_force(Patch<S>& patch, NodeField force) const;
 
-    /// Sets prescribed components of a velocity field to their values at `time`.
-    void constrain(Patch<S>& patch, NodeField velocity, double time) const;
+    /// Sets prescribed components of a velocity field to their values at `mean`.
+    void constrain(Patch<S>& patch, NodeField velocity, const PathMean& mean) const;
     /// Sets prescribed components of the acceleration to what changes their velocity from its value
-    /// at time `from` to that at `to` within dt.
-    void constrain_acceleration(Patch<S>& patch, double from, double to, double dt) const;
-    void fill_velocity(Patch<S>& patch, NodeField velocity, double time) const;
-    void fill_acceleration(Patch<S>& patch, double from, double to, double dt) const;
+    /// at `from` to that at `to` within dt.
+    void constrain_acceleration(Patch<S>& patch, const PathMean& from, const PathMean& to, double dt) const;
+    void fill_velocity(Patch<S>& patch, NodeField velocity, const PathMean& mean) const;
+    void fill_acceleration(Patch<S>& patch, const PathMean& from, const PathMean& to, double dt) const;
 
     /// Adds to sums[k] what condition k puts into prescribed components: at a node and its ghosts
     /// `share` of (mass value - source), source being force or momentum, value acceleration or
@@ -80,12 +90,12 @@ class Walls {
         double power = 0;
         bool held = false;  ///< whether a node with mass obeyed the condition
     };
-    void reaction(const Patch<S>& patch, NodeField source, NodeField value, double time,
+    void reaction(const Patch<S>& patch, NodeField source, NodeField value, const PathMean& mean,
                   std::vector<Sum>& sums) const;
 
     /// After velocities have changed within, with ghosts still as they were: adds `share` times what those of
     /// prescribed components change by, as the images of nodes within, to the force that reaction() reads.
-    void add_change_of_ghosts(Patch<S>& patch, NodeField velocity, double time, Real share) const;
+    void add_change_of_ghosts(Patch<S>& patch, NodeField velocity, const PathMean& mean, Real share) const;
 
     /// The face that a particle at `x` is beyond, if there is one. It is closed where its condition
     /// prescribes the normal velocity, and none that carries particles out, at `time`.
@@ -122,14 +132,19 @@ class Walls {
         Position position;
     };
 
+    class Velocities;
+
     std::optional<Exit> exit(const Face& face, const Patch<S>& patch, const Position& x, double time) const;
     template <class Value>
     void fill(Patch<S>& patch, NodeField field, const Value& prescribed) const;
-    Real velocity(int condition, int component, const Position& position, double time) const;
+    Vector velocity(int condition, const Position& position, const PathMean& mean) const;
+    Vector field(std::size_t condition, const Position& position, double time) const;
     std::array<bool, 3> prescribed(std::size_t condition, int axis) const;
+    void carry(std::size_t condition, const std::array<bool, 3>& prescribes);
 
     std::vector<PlacedCondition<S>> conditions_;
-    std::vector<Face> faces_;  ///< by axis, lower before upper
+    std::vector<Vector> carries_;  ///< by condition: 1 for components that it prescribes, 0 for the others
+    std::vector<Face> faces_;      ///< by axis, lower before upper
     std::vector<Prescribed> prescribed_;
     std::vector<unsigned char> prescribed_components_;
 };

@@ -17,9 +17,10 @@ namespace matpoint {
 namespace {
 
 constexpr std::size_t most_mistakes = 20;
-constexpr std::size_t volume_column = 6;
+constexpr std::size_t first_edge = 6, volume_column = 9;
 constexpr std::streamsize longest_line = 65536;
-constexpr std::array<std::string_view, 7> column_names = {"x", "y", "z", "vx", "vy", "vz", "volume"};
+constexpr std::array<std::string_view, 10> column_names = {"x",  "y",  "z",  "vx", "vy",
+                                                           "vz", "dx", "dy", "dz", "volume"};
 
 std::string in_quotes(std::string_view text) {
     return "\"" + std::string(text) + "\"";
@@ -110,6 +111,9 @@ class Reader {
         for (const std::size_t c : {std::size_t{0}, std::size_t{1}, std::size_t{2}, volume_column})
             if (belongs(c) && std::find(columns.begin(), columns.end(), c) == columns.end())
                 mistake("column " + in_quotes(column_names[c]) + " is missing");
+        const auto is_edge = [](std::size_t c) { return c >= first_edge && c < volume_column; };
+        const auto edges = std::ranges::count_if(columns, is_edge);
+        if (edges > 0 && edges < dimension_) mistake("a domain has edges along all axes, or none are given");
     }
 
     void read_row(const std::vector<std::string_view>& cells) {
@@ -124,8 +128,9 @@ class Reader {
             if (!read_number(cells[i], value))
                 mistake("column " + in_quotes(column_names[column]) + ": expected a finite number, found " +
                         in_quotes(cells[i]));
-            else if (column == volume_column && value <= 0)
-                mistake("column \"volume\": expected a number greater than 0, found " + in_quotes(cells[i]));
+            else if (column >= first_edge && value <= 0)
+                mistake("column " + in_quotes(column_names[column]) +
+                        ": expected a number greater than 0, found " + in_quotes(cells[i]));
             table_.numbers.push_back(value);
         }
     }
@@ -152,7 +157,10 @@ PointCloud::Point PointTable::point(Index row) const {
     std::array<double, column_names.size()> values{};
     for (std::size_t i = 0; i < columns.size(); ++i)
         values[columns[i]] = numbers[static_cast<std::size_t>(row) * columns.size() + i];
-    return {{values[0], values[1], values[2]}, values[volume_column], {values[3], values[4], values[5]}};
+    PointCloud::Point point{
+        {values[0], values[1], values[2]}, values[volume_column], {values[3], values[4], values[5]}};
+    if (values[first_edge] > 0) point.half_size = Eigen::Vector3d::Map(values.data() + first_edge) / 2;
+    return point;
 }
 
 PointTable read_point_file(const std::filesystem::path& file, int dimension) {
