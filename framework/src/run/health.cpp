@@ -46,10 +46,11 @@ std::string describe_stray(const Moment& moment, const Particles<S>& particles, 
         case Exit::Through::open:
             break;
     }
-    if (!ailments.empty()) return who + ". " + ailments;
-    return who +
-           ". Enlarge /grid, close the face (by \"slip\", say), or set /health/off_grid to \"delete\" "
-           "to let particles go.";
+    const std::string advice =
+        "Enlarge /grid, close the face (by \"slip\", say), or set /health/off_grid to \"delete\" to let "
+        "particles "
+        "go.";
+    return who + ". " + (ailments.empty() ? advice : ailments + " If it is meant: " + advice);
 }
 
 template <class S>
@@ -148,15 +149,15 @@ std::string describe_energy_drift(double gain, double loss, double largest, doub
         100 * noise);
 }
 
-std::string describe_unrest(double unbalanced, double asked, bool settled) {
-    return fmt::format(
-        "/time/until_at_rest: the scene did not come to rest by /time/end: {} Give it more time, `damping`, "
-        "or "
-        "loads that come smoothly (history \"ramp\").",
-        settled
-            ? fmt::format("{:.2g} of the forces are not in balance, or it still moves ({:.2g} was asked).",
-                          unbalanced, asked)
-            : "loads or boundaries never stop to change.");
+std::string describe_unrest(double unbalanced, double asked, double changing_until) {
+    std::string why = fmt::format(
+        "{:.2g} of the forces are not in balance, or it still moves ({:.2g} was asked).", unbalanced, asked);
+    if (!std::isfinite(changing_until))
+        why = "loads or boundaries may never stop to change.";
+    else if (changing_until > 0)
+        why = fmt::format("loads or boundaries change until t = {:.6g} s.", changing_until);
+    return "/time/until_at_rest: the scene did not come to rest by the end of the run: " + why +
+           " Give it more time, `damping`, or loads that come smoothly (history \"ramp\").";
 }
 
 #define MATPOINT_INSTANTIATE(S)                                                                   \

@@ -40,6 +40,7 @@ std::string describe_unstable_step(const Moment& moment, double stable_step, dou
 /// Energies in J: what came from nowhere, and what the start and all sources gave.
 std::string describe_energy_gain(const Moment& moment, double gain, double given, double noise);
 std::string describe_energy_drift(double gain, double loss, double largest, double noise);
-std::string describe_unrest(double unbalanced, double asked, bool settled);
+/// `changing_until` (s) loads or boundaries change after the end; 0 if they don't.
+std::string describe_unrest(double unbalanced, double asked, double changing_until);
 
 }  // namespace matpoint

@@ -5,6 +5,7 @@
 #include <Eigen/SVD>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -37,20 +38,26 @@ struct Stencils {
 template <class S>
 Stencils<S> stencils(const Patch<S>& patch, const Particles<S>& particles, const ShapeFunction<S>& shape) {
     const Bounds<S> room = domain(patch);
-    std::vector<typename Patch<S>::Coordinates> all;
-    for (Index p = 0; p < particles.size(); ++p) {
-        const auto x = particles.position(p).template cast<typename S::Real>().eval();
-        if (!(x.array() >= room.low.array()).all() || !(x.array() <= room.high.array()).all()) continue;
-        shape.base_nodes(patch, particles, p, p + 1, &all.emplace_back());
-    }
-    std::ranges::sort(all);
     Stencils<S> found;
-    for (const auto& base : all) {
-        if (found.bases.empty() || found.bases.back() != base) {
-            found.bases.push_back(base);
-            found.particles.push_back(0);
+    std::vector<int> numbers(static_cast<std::size_t>(patch.node_count()), -1);  // by node
+    std::array<typename Patch<S>::Coordinates, batch_size> bases;
+    for (Index begin = 0; begin < particles.size(); begin += batch_size) {
+        const Index end = std::min(particles.size(), begin + batch_size);
+        shape.base_nodes(patch, particles, begin, end, bases.data());
+        for (Index p = begin; p < end; ++p) {
+            const auto x = particles.position(p).template cast<typename S::Real>().eval();
+            if (!(x.array() >= room.low.array()).all() || !(x.array() <= room.high.array()).all()) continue;
+            const auto& base = bases[static_cast<std::size_t>(p - begin)];
+            const int place = patch.node_index(base);
+            if (place < 0) continue;  // it has just moved on: its neighbours tell
+            int& number = numbers[static_cast<std::size_t>(place)];
+            if (number < 0) {
+                number = static_cast<int>(found.bases.size());
+                found.bases.push_back(base);
+                found.particles.push_back(0);
+            }
+            ++found.particles[static_cast<std::size_t>(number)];
         }
-        ++found.particles.back();
     }
     return found;
 }
@@ -97,6 +104,7 @@ double widest_spacing(const Patch<S>& patch, const Particles<S>& particles) {
         if (particles.has(Field::displacement_gradient)) {
             const auto f = ParticleBatch<S>::load_deformation_gradient(particles, p);
             const Eigen::Matrix<double, S::dimension, S::dimension> plane = f.plane.template cast<double>();
+            if (!plane.allFinite()) continue;
             stretch = plane.jacobiSvd().singularValues()[0];
             growth = std::abs(plane.determinant());
         }

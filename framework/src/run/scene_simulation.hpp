@@ -51,7 +51,7 @@ class SceneSimulation final : public Simulation {
     Energies energies() const override {
         return {engine_.tally().kinetic, numbers_.strain, numbers_.external, numbers_.damped};
     }
-    double unbalanced_force() const override { return engine_.tally().unbalanced_force; }
+    double unbalanced_force() const override;
     double noise() const override;
     std::optional<bool> at_rest() const override;
     double mass() const override;
@@ -65,6 +65,8 @@ class SceneSimulation final : public Simulation {
         double first_energy = 0, largest_energy = 0;  // J
         double given_energy = 0;                      // most that the start and what acts from outside gave
         double energy_gain = 0, energy_loss = 0;      // largest, of the balance
+        double largest_carried = 0;                   // N, of the forces that hold each other
+        double scene_from_step = 0;                   // from which on the scene is as it is
         double first_mass = 0, lost_mass = 0;         // kg
         std::array<double, 3> given_momentum{};       // kg m/s, at the start and by all impulses since
         double largest_momentum = 0, momentum_drift = 0;

@@ -131,6 +131,8 @@ void SceneSimulation<S>::Numbers::visit(Numbers_& n, const Visitor& visitor) {
     visitor("given_energy", n.given_energy);
     visitor("energy_gain", n.energy_gain);
     visitor("energy_loss", n.energy_loss);
+    visitor("largest_carried", n.largest_carried);
+    visitor("scene_from_step", n.scene_from_step);
     visitor("first_mass", n.first_mass);
     visitor("lost_mass", n.lost_mass);
     visitor("largest_momentum", n.largest_momentum);
@@ -157,6 +159,7 @@ void visit_tally(Tally_& t, const Visitor& visitor) {
     visitor("kinetic", t.kinetic);
     visitor("noise_energy", t.noise_energy);
     visitor("unbalanced_force", t.unbalanced_force);
+    visitor("carried_force", t.carried_force);
     visitor("momentum_scale", t.momentum_scale);
     visitor("particle_speed", t.largest_speed);
     visitor("wave_speed", t.largest_wave_speed);
@@ -249,6 +252,7 @@ void SceneSimulation<S>::restore(const CheckpointData& data) {
     for (std::size_t k = 0; k < engine_.held().size(); ++k)
         if (const auto held = data.numbers.find(held_name(k)); held != data.numbers.end())
             engine_.held()[k] = held->second != 0;
+    if (rest_ > 0 && data.scene != scene_text_) numbers_.scene_from_step = static_cast<double>(step_);
     if (numbers_.fixed_step != step_length_) {
         numbers_.fixed_step = step_length_;
         numbers_.fixed_from_step = static_cast<double>(step_);

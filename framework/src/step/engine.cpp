@@ -84,6 +84,7 @@ template <class S>
 void Engine<S>::project_velocity(double time) {
     const Tally kept = tally_;
     time_ = time;
+    dt_ = 0;  // no step follows, along which walls would move
     velocity_from_ = {time};
     prepare();
     project({.velocity = true});

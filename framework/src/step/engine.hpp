@@ -49,18 +49,19 @@ struct Fault {
 
 /// What a step added up.
 struct Tally {
-    double kinetic = 0;                            ///< J, at the end of the step
-    double strain_work = 0;                        ///< J, done by the stress in the step
-    double external_work = 0;                      ///< J, by loads and moving boundaries in the step
-    double damped = 0;                             ///< J, taken out by damping in the step
-    double noise_energy = 0;                       ///< J, sum m |v - sum S v*|^2 / 2, see RunView::noise
-    double unbalanced_force = 0;                   ///< see RunView
-    std::array<double, 3> momentum{};              ///< kg m/s, at the end of the step
-    double momentum_scale = 0;                     ///< sum m |v|
-    std::array<double, 3> impulse{};               ///< N s, of loads and boundaries in the step
-    double largest_speed = 0;                      ///< of a particle, m/s
-    double largest_wave_speed = 0;                 ///< m/s
-    double load_acceleration = 0;                  ///< m/s^2, mean size of the loads' over the mass
+    double kinetic = 0;                ///< J, at the end of the step
+    double strain_work = 0;            ///< J, done by the stress in the step
+    double external_work = 0;          ///< J, by loads and moving boundaries in the step
+    double damped = 0;                 ///< J, taken out by damping in the step
+    double noise_energy = 0;           ///< J, sum m |v - sum S v*|^2 / 2, see RunView::noise
+    double unbalanced_force = 0;       ///< N, sum |m a| of nodes that move freely, without damping
+    double carried_force = 0;          ///< N, sum |f| of the internal forces, or of the external
+    std::array<double, 3> momentum{};  ///< kg m/s, at the end of the step
+    double momentum_scale = 0;         ///< sum m |v|
+    std::array<double, 3> impulse{};   ///< N s, of loads and boundaries in the step
+    double largest_speed = 0;          ///< of a particle, m/s
+    double largest_wave_speed = 0;     ///< m/s
+    double load_acceleration = 0;      ///< m/s^2, mean size of the loads' over the mass
     std::vector<std::array<double, 3>> reactions;  ///< N, by boundary condition
     /// The first body whose stress does work though its material has no waves.
     std::optional<std::size_t> stiff_without_waves{};
@@ -147,7 +148,7 @@ class Engine final : public Phases<S> {
     /// Whether particles extend their velocity to the nodes' places in this momentum.
     bool extends(NodeField momentum) const;
     void apply_loads();
-    /// Momentum to velocity, zero where there is hardly any mass; then walls, at `time`.
+    /// Momentum to velocity, zero where there is hardly any mass; then walls.
     void finish_velocity(NodeField field, const PathMean& mean);
     void follow_light_nodes(Real share);
     void add_load_work(Real dt, Real factor);
@@ -178,7 +179,7 @@ class Engine final : public Phases<S> {
     /// already: in balance their own forces aren't 0.
     void damp(Real dt);
     void add_damping_work(Real dt);
-    /// Whether the damping resists a node's motion along an axis: on or within the grid, and not prescribed.
+    /// Whether a node's motion along an axis follows from forces: on or within the grid, and not prescribed.
     bool moves_freely(Index node, int axis) const {
         const auto i = static_cast<std::size_t>(node);
         return inside_[i] && (walls_.prescribed_components()[i] >> axis & 1) == 0;

@@ -19,7 +19,7 @@ void Engine<S>::measure_balance(Real factor) {
     const bool loaded = !components_.loads.empty();
     const Real* mass = patch_.column(NodeField::mass);
     for_nodes([&](Index task, Index begin, Index end) {
-        Sums& own = sums[static_cast<std::size_t>(task)];
+        Sums own;
         for (int c = 0; c < S::dimension; ++c) {
             const Real* f = patch_.column(NodeField::force, c);
             const Real* a = patch_.column(NodeField::acceleration, c);
@@ -33,6 +33,7 @@ void Engine<S>::measure_balance(Real factor) {
                 if (moves_freely(i, c)) own.unbalanced += std::abs(static_cast<double>(mass[i] * a[i]));
             }
         }
+        sums[static_cast<std::size_t>(task)] = own;
     });
     Sums all;
     for (const Sums& own : sums) {
@@ -40,8 +41,8 @@ void Engine<S>::measure_balance(Real factor) {
         all.internal += own.internal;
         all.external += own.external;
     }
-    const double carried = std::max(all.internal, all.external);
-    tally_.unbalanced_force = carried > 0 ? all.unbalanced / carried : 0;
+    tally_.unbalanced_force = all.unbalanced;
+    tally_.carried_force = std::max(all.internal, all.external);
 }
 
 template <class S>
@@ -53,6 +54,7 @@ void Engine<S>::damp(Real dt) {
     const Real* mass = patch_.column(NodeField::mass);
     for_nodes([&](Index task, Index first, Index last) {
         std::array<Real, chunk> slowed;
+        Force own{};
         for (int c = 0; c < S::dimension; ++c) {
             const Real* v = patch_.column(NodeField::velocity, c);
             Real* a = patch_.column(NodeField::acceleration, c);
@@ -68,11 +70,11 @@ void Engine<S>::damp(Real dt) {
                     const Real resistance = moves_freely(i, c) ? slowed[k] : Real(0);
                     damping[i] = mass[i] * resistance;
                     a[i] += resistance;
-                    sums[static_cast<std::size_t>(task)][static_cast<std::size_t>(c)] +=
-                        static_cast<double>(damping[i]);
+                    own[static_cast<std::size_t>(c)] += static_cast<double>(damping[i]);
                 }
             }
         }
+        sums[static_cast<std::size_t>(task)] = own;
     });
     for (const Force& own : sums)
         for (std::size_t c = 0; c < S::dimension; ++c) tally_.impulse[c] += own[c] * dt_;

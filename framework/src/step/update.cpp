@@ -41,7 +41,6 @@ class Engine<S>::BatchUpdate final : public GatherSink<S> {
         if (what_.velocity) {
             guarded(transfer_, "update", [&] { transfer_.update(batch, dt_); });
             add_motion(batch);
-            add_noise(batch);
         }
         if (what_.position) move(batch);
         if (!what_.stress) return;
@@ -51,25 +50,29 @@ class Engine<S>::BatchUpdate final : public GatherSink<S> {
     }
 
     MATPOINT_FLATTEN void add_motion(const ParticleBatch<S>& batch) {
-        LaneSums kinetic, momentum_scale;
+        LaneSums kinetic, noise, momentum_scale;
         std::array<LaneSums, S::dimension> momentum;
         Number fastest(0);
         visit_packs(batch, [&](const auto& p) {
             const Wide mass = wide(p.mass());
             Wide energy(0);
-            Number square(0);
+            Number square(0), unseen_square(0);
             for (int a = 0; a < S::dimension; ++a) {
                 const Number v = p.load(Field::velocity, a);
+                const Number unseen = v - p.load(batch.gathered().velocity[static_cast<std::size_t>(a)]);
                 square += v * v;
+                unseen_square += unseen * unseen;
                 const Wide own = mass * wide(v);
                 energy += own * wide(v);
                 momentum[static_cast<std::size_t>(a)].add(p, own);
             }
             kinetic.add(p, Wide(0.5) * energy);
+            noise.add(p, Wide(0.5) * mass * wide(unseen_square));
             momentum_scale.add(p, mass * wide(sqrt(square)));
             fastest = max(square, fastest);
         });
         sums_.kinetic += kinetic.total();
+        sums_.noise_energy += noise.total();
         sums_.momentum_scale += momentum_scale.total();
         for (std::size_t a = 0; a < S::dimension; ++a) sums_.momentum[a] += momentum[a].total();
         sums_.largest_speed = std::max(sums_.largest_speed, std::sqrt(static_cast<double>(largest(fastest))));
@@ -103,21 +106,6 @@ class Engine<S>::BatchUpdate final : public GatherSink<S> {
             bounds_.low[a] = -largest(-least);
             bounds_.high[a] = largest(greatest);
         }
-    }
-
-    /// What the grid's velocity at the particles' places lacks of their own.
-    MATPOINT_FLATTEN void add_noise(const ParticleBatch<S>& batch) {
-        LaneSums noise;
-        visit_packs(batch, [&](const auto& p) {
-            Number square(0);
-            for (int a = 0; a < S::dimension; ++a) {
-                const Number unseen = p.load(Field::velocity, a) -
-                                      p.load(batch.gathered().velocity[static_cast<std::size_t>(a)]);
-                square += unseen * unseen;
-            }
-            noise.add(p, Wide(0.5) * wide(p.mass()) * wide(square));
-        });
-        sums_.noise_energy += noise.total();
     }
 
     /// From here on the field holds what the gradient that was gathered has beyond the one that it held.
@@ -314,6 +302,7 @@ void Engine<S>::measure() {
         }
     }
     collect({.velocity = true, .stress = NodeField::velocity});
+    tally_.noise_energy = 0;  // nothing was gathered
     if (components_.loads.empty()) return;
     Tally found = tally_;
     project({.velocity = true});

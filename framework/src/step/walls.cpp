@@ -94,24 +94,33 @@ void Walls<S>::locate(const Patch<S>& patch) {
 }
 
 template <class S>
-typename S::Vector Walls<S>::field(std::size_t condition, const Position& position, double time) const {
-    const BoundaryCondition<S>& own = *conditions_[condition].condition;
-    const Vector v = guarded(own, "velocity", [&] { return own.velocity(position, time); });
-    return (carries_[condition].array() != 0).select(v, Vector::Zero());
+typename S::Vector Walls<S>::velocity(int condition, const Position& position, const PathMean& mean) const {
+    const BoundaryCondition<S>& own = *conditions_[static_cast<std::size_t>(condition)].condition;
+    const Vector v = guarded(own, "velocity", [&] { return own.velocity(position, mean.time); });
+    return mean.span == 0 || (v.array() == 0).all() ? v : along_path(condition, position, mean);
 }
 
-/// By the classical method of Runge and Kutta; where a component is the same all along, that to the bit.
+/// By the classical method of Runge and Kutta; where a component is the same all along, that to the bit. What
+/// a condition doesn't prescribe carries nothing.
 template <class S>
-typename S::Vector Walls<S>::velocity(int condition, const Position& position, const PathMean& mean) const {
+typename S::Vector Walls<S>::along_path(int condition, const Position& position, const PathMean& mean) const {
     const auto k = static_cast<std::size_t>(condition);
-    const auto after = [&](double part, const Vector& v) {
-        return field(k, position + part * mean.span * v.template cast<double>(), mean.time);
+    const BoundaryCondition<S>& own = *conditions_[k].condition;
+    const auto at = [&](const Position& x) -> Vector {
+        const Vector v = guarded(own, "velocity", [&] { return own.velocity(x, mean.time); });
+        return (carries_[k].array() != 0).select(v, Vector::Zero());
     };
-    const Vector first = field(k, position, mean.time);
-    if (mean.span == 0 || first.isZero(0)) return first;
-    const Vector second = after(0.5, first), third = second == first ? second : after(0.5, second),
-                 last = after(1, third);
-    return first + (2 * (second - first) + 2 * (third - first) + (last - first)) / 6;
+    const auto after = [&](double part, const Vector& v) {
+        return at(position + part * mean.span * v.template cast<double>());
+    };
+    const Vector first = at(position);
+    try {
+        const Vector second = after(0.5, first), third = second == first ? second : after(0.5, second),
+                     last = after(1, third);
+        return first + (2 * (second - first) + 2 * (third - first) + (last - first)) / 6;
+    } catch (const FormulaError&) {
+        return first;  // there is none beside the node, as of sqrt(1 - x) on a face at x = 1
+    }
 }
 
 /// Components at one node come one after the other: their velocity is asked for once.

@@ -138,7 +138,7 @@ class Walls {
     template <class Value>
     void fill(Patch<S>& patch, NodeField field, const Value& prescribed) const;
     Vector velocity(int condition, const Position& position, const PathMean& mean) const;
-    Vector field(std::size_t condition, const Position& position, double time) const;
+    Vector along_path(int condition, const Position& position, const PathMean& mean) const;
     std::array<bool, 3> prescribed(std::size_t condition, int axis) const;
     void carry(std::size_t condition, const std::array<bool, 3>& prescribes);
 

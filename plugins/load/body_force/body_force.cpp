@@ -2,6 +2,7 @@
 #include <matpoint/plugin.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <stdexcept>
 
@@ -104,11 +105,12 @@ class BodyForce final : public Load<S> {
     /// Nothing is drawn along the radius where that is 0.
     void refuse_at_axis(const Patch<S>& patch, std::span<Particles<S>> bodies) const {
         if (patch.min()[0] != 0 || !acceleration_[0]) return;
+        const double settled = std::isfinite(settled_at()) ? settled_at() : 0;  // s, the end of a table
+        const auto drawn = [&](double y, double time) { return (*acceleration_[0])({0, y, 0}, time) != 0; };
         for (const Particles<S>& particles : bodies)
             for (Index p = 0; p < particles.size(); ++p) {
                 const auto x = particles.position(p);
-                if (x[0] < patch.cell_size()[0] &&
-                    (*acceleration_[0])({0, static_cast<double>(x[1]), 0}, 0) != 0)
+                if (x[0] < patch.cell_size()[0] && (drawn(x[1], 0) || drawn(x[1], settled)))
                     throw std::invalid_argument("body \"" + particles.body() +
                                                 "\" is at the axis of the axisymmetric space: the "
                                                 "acceleration along the radius x must be "

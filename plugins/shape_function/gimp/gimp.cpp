@@ -102,7 +102,9 @@ class Gimp final : public DelegatingShape<S> {
         constexpr Real half = Real(0.5);  // of what the domain would be if it followed the stretch
         for (Index p = 0; p < particles.size(); ++p)
             for (int a = 0; a < S::dimension; ++a)
-                if (particles.column(Field::half_size, a)[p] < half * stretched(particles, a, p))
+                if (particles.column(Field::half_size, a)[p] <
+                    half * std::min(stretched(particles, a, p),
+                                    particles.column(Field::initial_half_size, a)[p]))
                     return "Domains of gimp \"contiguous\" follow the diagonal of F, which shrinks as body "
                            "\"" +
                            particles.body() +
