@@ -34,6 +34,8 @@ SCHEMES = {
     "the same, `uvf`": scheme(integrator="uvf"),
     "the same, `musl`": scheme(integrator="musl"),
     "the same, `usf`": scheme(integrator="usf"),
+    "the same, `usavg`": scheme(integrator="usavg"),
+    "the same, `lagged_strain`": scheme(integrator="lagged_strain"),
     "quadratic, apic, central difference": scheme(transfer="apic"),
     "quadratic, flip, central difference": scheme(transfer="flip"),
     "contiguous gimp, affine flip 0.01, central difference": scheme(gimp("contiguous")),

@@ -121,6 +121,8 @@ double SceneSimulation<S>::unbalanced_force() const {
     // Where nothing holds anything in the end, balance is told beside what there was.
     constexpr double least = 0.01;
     const double carried = std::max(engine_.tally().carried_force, least * numbers_.largest_carried);
+    if (carried == 0)
+        return std::numeric_limits<double>::quiet_NaN();  // no step yet, or nothing holds anything
     return engine_.tally().unbalanced_force / carried;
 }
 
