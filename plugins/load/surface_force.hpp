@@ -23,7 +23,7 @@ template <class S>
 void add_at_surface(LoadContext<S>& context, const Face<S>& face, const Particles<S>& particles, Index p,
                     const typename S::Vector& force) {
     using Real = typename S::Real;
-    Patch<S>& patch = context.patch;
+    Patch<S>& patch = context.nodes_of(particles);
     typename S::Vector half = present_half_size(particles, p);
     half[face.axis()] = 0;
     const auto stencil = context.shape.stencil(patch, face.surface_point(particles, p), half);

@@ -57,6 +57,13 @@ class FakeRun final : public RunView {
         return {-1, -2, -3};
     }
 
+    std::vector<std::string> contacts() const override { return {"pair"}; }
+    ContactReport contact(const std::string& name) const override {
+        if (name != "pair") throw std::out_of_range(name);
+        ContactReport report;
+        report.force = {4, 5, 6};
+        return report;
+    }
     double unbalanced_force() const override { return 0.01; }
     double noise() const override { return 0.02; }
 

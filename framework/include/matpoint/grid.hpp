@@ -4,6 +4,8 @@
 #include <matpoint/registry.hpp>
 
 #include <array>
+#include <memory>
+#include <span>
 #include <vector>
 
 namespace matpoint {
@@ -24,6 +26,11 @@ std::string_view node_field_name(NodeField field);
 ///
 /// Nodes have lattice coordinates from 0 to cells, and one layer of ghosts at -1 and cells + 1 that
 /// holds what stencils write past the grid's faces (the kernel folds it back).
+///
+/// Bodies in contact have velocity fields of their own: layers of one patch. A layer is a patch too, with
+/// its own table of blocks onto the columns that it shares with all others: a block that k layers reach has k
+/// places there. Loops over places of nodes see those of all layers; what asks for a node by its coordinates
+/// asks the layer of a body.
 template <class S>
 class Patch {
   public:
@@ -37,6 +44,8 @@ class Patch {
 
     /// `min`: lower corner, m; `cell_size` h per axis, m; `cells` per axis.
     Patch(const std::array<double, 3>& min, const std::array<double, 3>& cell_size, const Coordinates& cells);
+    Patch(Patch&&) noexcept = default;
+    Patch& operator=(Patch&&) noexcept = default;
 
     const Position& min() const { return min_; }
     const Position& cell_size() const { return cell_size_; }
@@ -85,6 +94,8 @@ class Patch {
     /// Makes exactly these blocks exist (numbers, ascending), all fields zero.
     void set_blocks(const std::vector<int>& numbers);
     const std::vector<int>& existing_blocks() const { return existing_; }
+    /// Numbers of the blocks at all places, those of other layers included.
+    const std::vector<int>& blocks_by_place() const { return nodes_->blocks; }
     /// Lattice coordinates of the node at a place in the columns (ghosts and padding included).
     Coordinates node_coordinates(int index) const;
     /// Whether a node is on or within the grid's faces (not a ghost or padding).
@@ -94,21 +105,48 @@ class Patch {
         return true;
     }
 
+    /// A further layer, without blocks yet.
+    Patch layer() const;
+    /// Makes exactly these blocks exist, for each of the layers; all fields zero. This patch has no blocks
+    /// of its own then, only places.
+    void set_blocks(std::span<Patch* const> layers, std::span<const std::vector<int>> numbers);
+    /// Which of those layers the node at a place belongs to.
+    std::size_t layer_of(int index) const {
+        return nodes_->layers[static_cast<std::size_t>(index / block_nodes)];
+    }
+
     /// Asks for a field (before blocks exist).
     void require(NodeField field);
-    bool has(NodeField field) const { return first_column_[static_cast<std::size_t>(field)] >= 0; }
+    bool has(NodeField field) const { return nodes_->first_column[static_cast<std::size_t>(field)] >= 0; }
     static constexpr int components(NodeField field) { return field == NodeField::mass ? 1 : S::dimension; }
-    Index node_count() const { return static_cast<Index>(existing_.size()) * block_nodes; }
-    Real* column(NodeField field, int component = 0) { return columns_[place(field, component)]; }
-    const Real* column(NodeField field, int component = 0) const { return columns_[place(field, component)]; }
+    /// Of all layers.
+    Index node_count() const { return static_cast<Index>(nodes_->blocks.size()) * block_nodes; }
+    Real* column(NodeField field, int component = 0) { return nodes_->columns[place(field, component)]; }
+    const Real* column(NodeField field, int component = 0) const {
+        return nodes_->columns[place(field, component)];
+    }
     void clear(NodeField field);
+    /// Of all columns and this layer's table.
     std::size_t bytes() const;
+    std::size_t table_bytes() const { return table_.size() * sizeof(Entry); }
 
   private:
+    /// What layers share.
+    struct Nodes {
+        std::array<int, node_fields> first_column;  ///< -1: nobody asked for the field
+        int column_count = 0;
+        Columns<Real> columns;
+        std::vector<int> blocks;            ///< numbers, by their places
+        std::vector<std::uint32_t> layers;  ///< by their places
+    };
+
+    Patch(const Patch&) = default;
     std::size_t place(NodeField field, int component) const {
-        const int place = first_column_[static_cast<std::size_t>(field)] + component;
+        const int place = nodes_->first_column[static_cast<std::size_t>(field)] + component;
         return static_cast<std::size_t>(place);
     }
+    /// Makes the table of these blocks at these places (of blocks).
+    void set_table(const std::vector<int>& numbers, const std::vector<int>& slots);
 
     /// Place of a block among the existing ones, -1 if it is not; from a hash table, so that the lattice may
     /// be as large as one likes.
@@ -132,9 +170,7 @@ class Patch {
     std::vector<int> existing_;
     std::vector<Entry> table_;
     int table_bits_ = 1;
-    std::array<int, node_fields> first_column_;  ///< -1: nobody asked for the field
-    int column_count_ = 0;
-    Columns<Real> columns_;
+    std::shared_ptr<Nodes> nodes_;
 };
 
 /// A background grid: today one patch; levels and distribution are further types of this kind.

@@ -13,6 +13,13 @@ struct LoadContext {
     std::span<Particles<S>> bodies;
     const ShapeFunction<S>& shape;
     const ExactSolution* exact_solution = nullptr;  ///< the scene's, or null
+    std::span<Patch<S>* const> layers = {};  ///< by body: its layer of the nodes; empty: all share them
+
+    /// The nodes as a body's particles see them.
+    Patch<S>& nodes_of(const Particles<S>& body) const {
+        const auto place = static_cast<std::size_t>(&body - bodies.data());
+        return layers.empty() ? patch : *layers[place];
+    }
 };
 
 /// A force that acts from outside: on the nodes' mass, on particles, on a surface.

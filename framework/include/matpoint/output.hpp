@@ -1,5 +1,6 @@
 #pragma once
 
+#include <matpoint/contact_report.hpp>
 #include <matpoint/registry.hpp>
 
 #include <array>
@@ -15,7 +16,8 @@ struct Energies {
     double strain = 0;    ///< work done by the stress since the start (stored and dissipated)
     double external = 0;  ///< work done by loads and moving boundaries since the start
     double damped = 0;    ///< taken out by damping since the start
-    double total() const { return kinetic + strain + damped - external; }
+    double contact = 0;   ///< taken out where bodies meet since the start
+    double total() const { return kinetic + strain + damped + contact - external; }
 };
 
 /// What outputs and checks may see of a run, whatever its space.
@@ -42,6 +44,9 @@ class RunView {
     virtual std::array<double, 3> momentum() const = 0;  ///< kg m/s
     /// Force of a named boundary condition on the bodies in the last step, N.
     virtual std::array<double, 3> reaction(const std::string& boundary_condition) const = 0;
+    /// Names of the contacts, and what one of them has done.
+    virtual std::vector<std::string> contacts() const = 0;
+    virtual ContactReport contact(const std::string& name) const = 0;
 
     /// How far the last step was from equilibrium: sum |f| of the nodes over that of the forces which should
     /// be in balance, the internal or the external ones, whichever are larger; components that boundary

@@ -27,6 +27,8 @@ class BoundaryCondition;
 template <class S>
 class Load;
 template <class S>
+class Contact;
+template <class S>
 class Damping;
 template <class S>
 class Grid;
@@ -71,6 +73,10 @@ class Registry {
     template <template <class> class C>
     void load(std::string type) {
         spatial<C, Load>("load", std::move(type));
+    }
+    template <template <class> class C>
+    void contact(std::string type) {
+        spatial<C, Contact>("contact", std::move(type));
     }
     template <template <class> class C>
     void damping(std::string type) {

@@ -35,6 +35,13 @@ Schema with_name() {
     return Schema().text("name", {.doc = "What probes call the load", .optional = true});
 }
 
+Schema with_contact_name() {
+    return Schema().text("name",
+                         {.doc = "What probes and the summary call the contact; by default its bodies, "
+                                 "or its type",
+                          .optional = true});
+}
+
 Schema with_measure() {
     Schema schema;
     schema
@@ -72,7 +79,7 @@ std::vector<Kind> make_kinds() {
         {"material", "materials", "Constitutive model", with_density()},
         {"geometry", "", "Region that a body fills or a condition holds in", Schema()},
         {"load", "loads", "Body force or traction", with_name()},
-        {"contact", "contacts", "Interaction between bodies", Schema()},
+        {"contact", "contacts", "Law between bodies that meet, or a rigid tool", with_contact_name()},
         {"boundary_condition", "boundary_conditions", "Condition on grid faces or in a region",
          with_place_and_name()},
         {"damping", "damping", "What leads a scene to rest", Schema()},

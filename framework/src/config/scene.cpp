@@ -62,6 +62,18 @@ void spread_particles(Json& given, int dimension, const std::string& at, Validat
     given = 1;
 }
 
+/// Contacts are called by their bodies, or their type, if they have no name.
+void name_contacts(Json& contacts) {
+    for (Json& contact : contacts) {
+        if (!contact.is_object() || !is_absent(contact, "name") || !contact.contains("type")) continue;
+        const Json& bodies = contact.contains("between") ? contact["between"] : contact["type"];
+        std::string name;
+        for (const Json& body : bodies.is_array() ? bodies : Json::array({bodies}))
+            if (body.is_string()) name += (name.empty() ? "" : "-") + body.get<std::string>();
+        contact["name"] = name;
+    }
+}
+
 /// Fills in what depends on other keys of the scene, wherever those are well-formed.
 void fill_in_dependents(Json& scene, int dimension, Validator& validator) {
     scene.erase("resolved_with");
@@ -71,6 +83,7 @@ void fill_in_dependents(Json& scene, int dimension, Validator& validator) {
         is_absent(scene["time"], "cfl")) {
         scene["time"]["cfl"] = 0.4;
     }
+    if (scene.contains("contacts") && scene["contacts"].is_array()) name_contacts(scene["contacts"]);
     if (!scene.contains("bodies") || !scene["bodies"].is_object()) return;
     for (auto& [name, body] : scene["bodies"].items()) {
         if (!body.is_object() || !body.contains("particles_per_cell")) continue;
@@ -111,6 +124,16 @@ void check_bodies(Json& resolved, Validator& validator) {
     }
 }
 
+void check_contacts(const Json& resolved, Validator& validator) {
+    for (std::size_t k = 0; k < resolved.size(); ++k)
+        for (std::size_t other = 0; other < k; ++other)
+            if (resolved[k].is_object() && resolved[other].is_object() && resolved[k].contains("name") &&
+                resolved[k]["name"] == resolved[other].value("name", Json()))
+                validator.error(fmt::format("/contacts/{}/name", k),
+                                fmt::format("/contacts/{} is called {} too: give one of them another `name`",
+                                            other, shown(resolved[k]["name"])));
+}
+
 /// Mistakes that no single parameter shows.
 void check_sections(Json& resolved, int dimension, Validator& validator) {
     const Json& space = resolved["space"];
@@ -123,6 +146,7 @@ void check_sections(Json& resolved, int dimension, Validator& validator) {
         }
     }
     if (resolved["bodies"].is_object()) check_bodies(resolved["bodies"], validator);
+    if (resolved["contacts"].is_array()) check_contacts(resolved["contacts"], validator);
 }
 
 /// Two outputs that write one file would each lose what the other writes.

@@ -162,7 +162,7 @@ Schema make_scene_schema() {
         .add("loads", ParameterType::components,
              {.doc = "Body forces and tractions", .default_value = none, .kind = "load"})
         .add("contacts", ParameterType::components,
-             {.doc = "Between bodies", .default_value = none, .kind = "contact"})
+             {.doc = "Between bodies, or with rigid tools", .default_value = none, .kind = "contact"})
         .add("boundary_conditions", ParameterType::components,
              {.doc = "On grid faces or regions", .default_value = none, .kind = "boundary_condition"})
         .add("damping", ParameterType::component,

@@ -219,7 +219,8 @@ Json Validator::reference(const Parameter& p, const Json& given, const std::stri
     }
     const Json& scene = document_.json;
     if (!scene.contains(p.section) || !scene.at(p.section).is_object()) return given;
-    const std::vector<std::string> names = names_in(scene, p.section);
+    std::vector<std::string> names = names_in(scene, p.section);
+    names.insert(names.end(), p.choices.begin(), p.choices.end());
     const std::string& name = given.get_ref<const std::string&>();
     if (std::find(names.begin(), names.end(), name) == names.end()) {
         error(at, fmt::format("no \"{}\" in /{}{}", name, p.section, did_you_mean(name, names)));

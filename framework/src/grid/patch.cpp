@@ -18,7 +18,7 @@ std::string_view node_field_name(NodeField field) {
 template <class S>
 Patch<S>::Patch(const std::array<double, 3>& min, const std::array<double, 3>& cell_size,
                 const Coordinates& cells)
-    : cells_(cells) {
+    : cells_(cells), nodes_(std::make_shared<Nodes>()) {
     double count = 1;
     for (std::size_t a = 0; a < S::dimension; ++a) {
         const auto i = static_cast<Eigen::Index>(a);
@@ -32,7 +32,7 @@ Patch<S>::Patch(const std::array<double, 3>& min, const std::array<double, 3>& c
         throw std::invalid_argument("the grid has too many cells to be numbered: at most " +
                                     std::to_string(std::numeric_limits<int>::max()) + " blocks of " +
                                     std::to_string(block_nodes) + " nodes");
-    first_column_.fill(-1);
+    nodes_->first_column.fill(-1);
     table_.resize(2);
     for (const NodeField field :
          {NodeField::mass, NodeField::velocity, NodeField::force, NodeField::acceleration})
@@ -41,30 +41,61 @@ Patch<S>::Patch(const std::array<double, 3>& min, const std::array<double, 3>& c
 
 template <class S>
 void Patch<S>::require(NodeField field) {
-    int& first = first_column_[static_cast<std::size_t>(field)];
+    int& first = nodes_->first_column[static_cast<std::size_t>(field)];
     if (first >= 0) return;
-    first = column_count_;
-    column_count_ += components(field);
-    columns_.resize(column_count_, columns_.size());
+    first = nodes_->column_count;
+    nodes_->column_count += components(field);
+    nodes_->columns.resize(nodes_->column_count, nodes_->columns.size());
+}
+
+template <class S>
+Patch<S> Patch<S>::layer() const {
+    Patch other(*this);
+    other.set_table({}, {});
+    return other;
 }
 
 template <class S>
 void Patch<S>::set_blocks(const std::vector<int>& numbers) {
+    Patch* const self = this;
+    set_blocks({&self, 1}, {&numbers, 1});
+}
+
+template <class S>
+void Patch<S>::set_blocks(std::span<Patch* const> layers, std::span<const std::vector<int>> numbers) {
+    std::vector<std::pair<int, std::size_t>> all;  // of a block, its layers one after the other
+    for (std::size_t k = 0; k < layers.size(); ++k)
+        for (const int number : numbers[k]) all.emplace_back(number, k);
+    if (layers.size() > 1) std::sort(all.begin(), all.end());
+    std::vector<std::vector<int>> slots(layers.size());
+    nodes_->blocks.clear();
+    nodes_->layers.clear();
+    for (const auto& [number, k] : all) {
+        slots[k].push_back(static_cast<int>(nodes_->blocks.size()));
+        nodes_->blocks.push_back(number);
+        nodes_->layers.push_back(static_cast<std::uint32_t>(k));
+    }
+    set_table({}, {});
+    for (std::size_t k = 0; k < layers.size(); ++k) layers[k]->set_table(numbers[k], slots[k]);
+    nodes_->columns.resize(0, 0);
+    nodes_->columns.resize(nodes_->column_count, node_count());
+}
+
+template <class S>
+void Patch<S>::set_table(const std::vector<int>& numbers, const std::vector<int>& slots) {
     existing_ = numbers;
     table_bits_ = static_cast<int>(std::bit_width(2 * existing_.size() + 1));
     table_.assign(std::size_t{1} << table_bits_, {});
-    for (std::size_t slot = 0; slot < existing_.size(); ++slot) {
-        std::uint32_t i = first_place(existing_[slot]);
+    for (std::size_t k = 0; k < existing_.size(); ++k) {
+        std::uint32_t i = first_place(existing_[k]);
         while (table_[i & (table_.size() - 1)].number >= 0) ++i;
-        table_[i & (table_.size() - 1)] = {existing_[slot], static_cast<int>(slot)};
+        table_[i & (table_.size() - 1)] = {existing_[k], slots[k]};
     }
-    columns_.resize(0, 0);
-    columns_.resize(column_count_, node_count());
 }
 
 template <class S>
 typename Patch<S>::Coordinates Patch<S>::node_coordinates(int index) const {
-    Coordinates node = block_coordinates(existing_[static_cast<std::size_t>(index / block_nodes)]);
+    Coordinates node = block_coordinates(nodes_->blocks[static_cast<std::size_t>(index / block_nodes)]);
     int local = index % block_nodes;
     for (std::size_t a = 0; a < S::dimension; ++a) {
         node[a] = node[a] * block_edge + local % block_edge - 1;
@@ -76,7 +107,7 @@ typename Patch<S>::Coordinates Patch<S>::node_coordinates(int index) const {
 template <class S>
 void Patch<S>::clear(NodeField field) {
     constexpr Index chunk = 8192;
-    const Index items = components(field) * static_cast<Index>(existing_.size());
+    const Index items = components(field) * static_cast<Index>(nodes_->blocks.size());
     parallel_for((node_count() + chunk - 1) / chunk, items, [&](Index k) {
         for (int c = 0; c < components(field); ++c) {
             Real* const values = column(field, c);
@@ -87,7 +118,7 @@ void Patch<S>::clear(NodeField field) {
 
 template <class S>
 std::size_t Patch<S>::bytes() const {
-    return columns_.bytes() + table_.size() * sizeof(Entry);
+    return nodes_->columns.bytes() + table_bytes();
 }
 
 #define MATPOINT_INSTANTIATE(S) template class Patch<S>;

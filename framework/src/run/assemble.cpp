@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace matpoint {
 
@@ -120,6 +121,50 @@ void make_conditions(Maker& maker, std::vector<PlacedCondition<S>>& conditions) 
         }
         conditions.push_back(std::move(placed));
     }
+}
+
+/// Bodies that a law between them names, in the scene's order; "all" is every one.
+std::vector<std::size_t> bodies_between(const Json& contact, const std::vector<std::string>& names) {
+    std::vector<std::size_t> bodies;
+    for (const Json& body : contact.at("between")) {
+        const auto place = std::ranges::find(names, body.get<std::string>());
+        if (place != names.end()) {
+            bodies.push_back(static_cast<std::size_t>(place - names.begin()));
+            continue;
+        }
+        bodies.resize(names.size());
+        std::iota(bodies.begin(), bodies.end(), std::size_t{0});
+        break;
+    }
+    return bodies;
+}
+
+template <class S>
+void make_contacts(Maker& maker, Components<S>& components) {
+    std::vector<std::string> names;
+    for (const auto& [name, unused] : maker.json("/bodies").items()) names.push_back(name);
+    std::vector<std::vector<std::size_t>> between;
+    const Json& all = maker.json("/contacts");
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        const std::string pointer = "/contacts/" + std::to_string(k);
+        PlacedContact<S> placed;
+        placed.name = all[k].at("name").get<std::string>();
+        placed.contact = maker.make<Contact<S>>("contact", pointer);
+        if (all[k].contains("between")) {
+            placed.rule = PairRule::of(all[k]);
+            placed.bodies = bodies_between(all[k], names);
+            if (placed.bodies.size() < 2)
+                maker.mistake(pointer + "/between", "a contact is between two or more bodies");
+        } else if (placed.contact && placed.contact->law()) {
+            maker.mistake(pointer, "a law between bodies declares their parameters: declare_pair(schema)");
+        }
+        between.push_back(placed.bodies);
+        components.contacts.push_back(std::move(placed));
+    }
+    std::vector<ContactMistake> mistakes;
+    components.layers = contact_layers(names, between, mistakes);
+    for (const ContactMistake& mistake : mistakes)
+        maker.mistake("/contacts/" + std::to_string(mistake.contact) + "/between", mistake.text);
 }
 
 void make_outputs(Maker& maker, std::vector<ScheduledOutput>& outputs) {
@@ -281,6 +326,7 @@ Assembly<S> assemble(const Scene& scene, const Registry& registry) {
     if (scene.resolved.contains("damping"))
         components.damping = maker.make<Damping<S>>("damping", "/damping");
     make_conditions(maker, components.conditions);
+    make_contacts(maker, components);
     std::shared_ptr<Geometry> within;
     if (scene.resolved.contains("exact_solution")) {
         const Json& own = maker.json("/exact_solution");
@@ -323,6 +369,12 @@ Assembly<S> assemble(const Scene& scene, const Registry& registry) {
             particles.require(Field::grid_velocity_gradient);
         for (const auto& load : components.loads)
             guarded(*load, "declare", [&] { load->declare(particles); });
+        for (const PlacedContact<S>& placed : components.contacts) {
+            guarded(*placed.contact, "declare", [&] { placed.contact->declare(particles); });
+            if (std::ranges::find(placed.bodies, number) == placed.bodies.end()) continue;
+            particles.require(Field::initial_half_size);  // of what it has around a node
+            particles.require(Field::displacement_gradient);
+        }
         const bool exact = components.exact_solution && components.exact_solution->covers(name);
         if (exact) particles.require(Field::initial_position);
         if (exact && !is_zero(body.at("velocity")))

@@ -59,7 +59,8 @@ SceneSimulation<S>::SceneSimulation(const Scene& scene, PluginCatalogue& catalog
     engine_.prepare();
     engine_.measure();
     for (const Particles<S>& particles : assembly_.bodies)
-        first_pieces_.push_back(pieces(engine_.patch(), particles, *assembly_.components.shape).size());
+        first_pieces_.push_back(
+            pieces(engine_.patch(first_pieces_.size()), particles, *assembly_.components.shape).size());
     warnings_ = assembly_.warnings;
     if (guarded_) refuse_faults(scene);
     const double phase = shortest_wave_phase(engine_.patch(), assembly_.bodies, *assembly_.components.shape);
@@ -184,6 +185,7 @@ void SceneSimulation<S>::advance() {
     numbers_.strain += tally.strain_work;
     numbers_.external += tally.external_work;
     numbers_.damped += tally.damped;
+    numbers_.contact += tally.contact;
     for (std::size_t c = 0; c < 3; ++c) numbers_.given_momentum[c] += tally.impulse[c];
     if (guarded_) guard_energy(dt);
     last_time_step_ = dt;
@@ -221,7 +223,7 @@ std::string SceneSimulation<S>::ailments(std::size_t body) const {
     const ShapeFunction<S>& shape = *assembly_.components.shape;
     std::string all;
     guarded(shape, "trouble", [&] { all = shape.trouble(particles); });
-    const std::vector<Index> parts = pieces(engine_.patch(), particles, shape);
+    const std::vector<Index> parts = pieces(engine_.patch(body), particles, shape);
     if (parts.size() <= first_pieces_[body]) return all;
     return all + (all.empty() ? "" : " ") +
            describe_torn(particles.body(), parts, widest_spacing(engine_.patch(), particles));

@@ -49,7 +49,8 @@ class SceneSimulation final : public Simulation {
     std::vector<double> column(const std::string& body, const std::string& field,
                                int component) const override;
     Energies energies() const override {
-        return {engine_.tally().kinetic, numbers_.strain, numbers_.external, numbers_.damped};
+        return {engine_.tally().kinetic, numbers_.strain, numbers_.external, numbers_.damped,
+                numbers_.contact};
     }
     double unbalanced_force() const override;
     double noise() const override;
@@ -57,18 +58,20 @@ class SceneSimulation final : public Simulation {
     double mass() const override;
     std::array<double, 3> momentum() const override { return engine_.tally().momentum; }
     std::array<double, 3> reaction(const std::string& boundary_condition) const override;
+    std::vector<std::string> contacts() const override;
+    ContactReport contact(const std::string& name) const override;
 
   private:
     /// What is added up over the run, and what the next step needs beyond the particles.
     struct Numbers {
-        double strain = 0, external = 0, damped = 0;  // J
-        double first_energy = 0, largest_energy = 0;  // J
-        double given_energy = 0;                      // most that the start and what acts from outside gave
-        double energy_gain = 0, energy_loss = 0;      // largest, of the balance
-        double largest_carried = 0;                   // N, of the forces that hold each other
-        double scene_from_step = 0;                   // from which on the scene is as it is
-        double first_mass = 0, lost_mass = 0;         // kg
-        std::array<double, 3> given_momentum{};       // kg m/s, at the start and by all impulses since
+        double strain = 0, external = 0, damped = 0, contact = 0;  // J
+        double first_energy = 0, largest_energy = 0;               // J
+        double given_energy = 0;                  // most that the start and what acts from outside gave
+        double energy_gain = 0, energy_loss = 0;  // largest, of the balance
+        double largest_carried = 0;               // N, of the forces that hold each other
+        double scene_from_step = 0;               // from which on the scene is as it is
+        double first_mass = 0, lost_mass = 0;     // kg
+        std::array<double, 3> given_momentum{};   // kg m/s, at the start and by all impulses since
         double largest_momentum = 0, momentum_drift = 0;
         /// A fixed step, s, and the step and time (s) from which it is counted: those of a restart that
         /// changed it.

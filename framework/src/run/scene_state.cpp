@@ -79,6 +79,20 @@ std::array<double, 3> SceneSimulation<S>::reaction(const std::string& boundary_c
 }
 
 template <class S>
+std::vector<std::string> SceneSimulation<S>::contacts() const {
+    std::vector<std::string> names;
+    for (const PlacedContact<S>& placed : engine_.contacts()) names.push_back(placed.name);
+    return names;
+}
+
+template <class S>
+ContactReport SceneSimulation<S>::contact(const std::string& name) const {
+    for (std::size_t k = 0; k < engine_.contacts().size(); ++k)
+        if (engine_.contacts()[k].name == name) return engine_.contact_report(k);
+    throw std::invalid_argument("there is no contact \"" + name + "\"");
+}
+
+template <class S>
 std::size_t SceneSimulation<S>::bytes_per_particle() const {
     std::size_t bytes = 0;
     for (const Particles<S>& particles : assembly_.bodies)
@@ -95,7 +109,7 @@ Json SceneSimulation<S>::phase_seconds() const {
 
 template <class S>
 std::size_t SceneSimulation<S>::memory_bytes() const {
-    return bytes_per_particle() * particle_count() + engine_.patch().bytes();
+    return bytes_per_particle() * particle_count() + engine_.node_bytes();
 }
 
 template <class S>
@@ -126,6 +140,7 @@ void SceneSimulation<S>::Numbers::visit(Numbers_& n, const Visitor& visitor) {
     visitor("strain", n.strain);
     visitor("external", n.external);
     visitor("damped", n.damped);
+    visitor("contact", n.contact);
     visitor("first_energy", n.first_energy);
     visitor("largest_energy", n.largest_energy);
     visitor("given_energy", n.given_energy);
@@ -150,6 +165,11 @@ void SceneSimulation<S>::Numbers::visit(Numbers_& n, const Visitor& visitor) {
 /// What checkpoints call the note that a boundary condition has held something.
 std::string held_name(std::size_t condition) {
     return fmt::format("boundary_condition_{}_held", condition);
+}
+
+/// What checkpoints call a number of a contact.
+std::string contact_name(std::size_t contact, const std::string& name) {
+    return fmt::format("contact_{}_{}", contact, name);
 }
 
 /// Every number of a step's tally by name, for checkpoints: sums over particles in another order would differ
@@ -184,6 +204,9 @@ CheckpointData SceneSimulation<S>::state() const {
     Numbers::visit(numbers_, save);
     visit_tally(engine_.tally(), save);
     for (std::size_t k = 0; k < engine_.held().size(); ++k) data.numbers[held_name(k)] = engine_.held()[k];
+    for (std::size_t k = 0; k < engine_.contacts().size(); ++k)
+        for (const auto& [name, value] : engine_.contact_state(k))
+            data.numbers[contact_name(k, name)] = value;
     for (std::size_t b = 0; b < assembly_.bodies.size(); ++b) {
         const Particles<S>& particles = assembly_.bodies[b];
         CheckpointData::Body body;
@@ -252,6 +275,13 @@ void SceneSimulation<S>::restore(const CheckpointData& data) {
     for (std::size_t k = 0; k < engine_.held().size(); ++k)
         if (const auto held = data.numbers.find(held_name(k)); held != data.numbers.end())
             engine_.held()[k] = held->second != 0;
+    for (std::size_t k = 0; k < engine_.contacts().size(); ++k) {
+        std::map<std::string, double> state = engine_.contact_state(k);
+        for (auto& [name, value] : state)  // a restart may have another contact, which has done nothing yet
+            if (const auto saved = data.numbers.find(contact_name(k, name)); saved != data.numbers.end())
+                value = saved->second;
+        engine_.restore_contact(k, state);
+    }
     if (rest_ > 0 && data.scene != scene_text_) numbers_.scene_from_step = static_cast<double>(step_);
     if (numbers_.fixed_step != step_length_) {
         numbers_.fixed_step = step_length_;

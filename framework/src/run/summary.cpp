@@ -76,7 +76,8 @@ Json summarise(const Simulation& simulation, const PluginCatalogue& catalogue, c
           {"kinetic_energy", energies.kinetic},
           {"strain_energy", energies.strain},
           {"external_work", energies.external},
-          {"damped_energy", energies.damped}}},
+          {"damped_energy", energies.damped},
+          {"contact_energy", energies.contact}}},
     };
     if (const auto rest = simulation.at_rest())
         summary["rest"] = {{"reached", *rest}, {"unbalanced_force", simulation.unbalanced_force()}};
@@ -84,6 +85,15 @@ Json summarise(const Simulation& simulation, const PluginCatalogue& catalogue, c
         Json& own = summary["bodies"][body.name];
         own = {{"particles", body.particles}, {"mass", body.mass}, {"volume", body.volume}};
         if (body.geometry_volume) own["geometry_volume"] = *body.geometry_volume;
+    }
+    for (const std::string& contact : simulation.contacts()) {
+        const ContactReport report = simulation.contact(contact);
+        const auto dimension = simulation.space().dimension();
+        summary["contacts"][contact] = {
+            {"largest_penetration_over_h", report.penetration},
+            {"gap_at_first_contact_over_h", report.touched != 0 ? Json(report.first_gap) : Json()},
+            {"friction_work", report.friction_work},
+            {"impulse", std::vector<double>(report.impulse.begin(), report.impulse.begin() + dimension)}};
     }
     if (const auto error = simulation.error()) summary["error"] = *error;
     for (const PluginLibrary& plugin : catalogue.opened()) summary["loaded_plugins"].push_back(plugin.name());
@@ -121,6 +131,7 @@ void print_closing_table(const Simulation& simulation, const RunResult& result) 
     fmt::print("  {:<14} {:>14.6g}\n  {:<14} {:>14.6g}\n  {:<14} {:>14.6g}\n", "kinetic", e.kinetic, "strain",
                e.strain, "external", e.external);
     if (e.damped != 0) fmt::print("  {:<14} {:>14.6g}\n", "damped", e.damped);
+    if (e.contact != 0) fmt::print("  {:<14} {:>14.6g}\n", "contact", e.contact);
     fmt::print("  {:<14} {:>14.6g} {:>12.2e}\n", "energy balance", e.total(),
                conservation.at("energy_drift").get<double>());
     if (s.contains("rest"))

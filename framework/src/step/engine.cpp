@@ -33,6 +33,7 @@ Engine<S>::Engine(Components<S> components, std::vector<Particles<S>>& bodies, s
       light_nodes_(components_.light_nodes, lowest_density<S>(components_.materials)) {
     if (!components_.loads.empty()) patch_.require(NodeField::external_force);
     for (const NodeField field : components_.integrator->node_fields()) patch_.require(field);
+    make_layers();
     for (const Particles<S>& particles : bodies_) {
         const Real* mass = particles.column(Field::mass);
         for (Index p = 0; p < particles.size(); ++p)
@@ -52,9 +53,11 @@ void Engine<S>::step(long number, double time, double dt, double last_dt) {
     velocity_to_ = {staggered ? time + dt / 2 : time + dt, dt};
     faults_.clear();
     const double energy_before = tally_.kinetic;
-    tally_.strain_work = tally_.external_work = tally_.damped = 0;
+    tally_.strain_work = tally_.external_work = tally_.damped = tally_.contact = 0;
     tally_.impulse = {};
     for (auto& reaction : tally_.reactions) reaction = {};
+    if (pairs_)
+        for (ContactReport& report : pairs_->reports()) report.force = {};
 
     prepare();
     guarded(*components_.integrator, "step",
@@ -71,8 +74,8 @@ void Engine<S>::prepare() {
     for (Particles<S>& particles : bodies_)
         guarded(*components_.shape, "start_step", [&] { components_.shape->start_step(patch_, particles); });
     if (ordering_.update(patch_, bodies_, *components_.shape) || !located_) {
-        patch_.set_blocks(ordering_.blocks(patch_));
-        walls_.locate(patch_);
+        make_blocks();
+        walls_.locate(layers_);
         inside_.resize(static_cast<std::size_t>(patch_.node_count()));
         for (int i = 0; i < static_cast<int>(patch_.node_count()); ++i)
             inside_[static_cast<std::size_t>(i)] = patch_.inside(patch_.node_coordinates(i));
@@ -113,7 +116,8 @@ void Engine<S>::scatter(const Scatter& request) {
                              const BlockRange& range =
                                  ranges[static_cast<std::size_t>(colour[static_cast<std::size_t>(k)])];
                              guarded(*components_.shape, "scatter", [&] {
-                                 components_.shape->scatter(patch_, bodies_[b], range.begin, range.end, own);
+                                 components_.shape->scatter(*nodes_of_[b], bodies_[b], range.begin, range.end,
+                                                            own);
                              });
                          });
     }
@@ -137,7 +141,8 @@ void Engine<S>::project(typename Phases<S>::Projection projection) {
     if (projection.velocity) {
         apply_loads();  // while mass is what the particles gave, not yet folded
         walls_.fold_mass(patch_);
-        light_nodes_.locate(patch_, inside_, walls_.prescribed_components(), !components_.loads.empty());
+        if (pairs_) meet();
+        light_nodes_.locate(layers_, inside_, walls_.prescribed_components(), !components_.loads.empty());
         walls_.fold_momentum(patch_, NodeField::velocity, velocity_from_);
         // A transfer that replaces particle velocities lets walls stop momentum here already; the
         // momentum itself is kept in the acceleration until that is counted.
@@ -153,6 +158,7 @@ void Engine<S>::project(typename Phases<S>::Projection projection) {
         if (!projection.internal_force) {  // it is to be read before it is accelerated, as that of this step
             const PathMean ahead{velocity_from_.time, dt_};
             walls_.constrain(patch_, NodeField::velocity, ahead);
+            if (pairs_) separate(NodeField::velocity);
             light_nodes_.keep_velocity(patch_);
             light_nodes_.follow_velocity(patch_, NodeField::velocity);
             walls_.fill_velocity(patch_, NodeField::velocity, ahead);
@@ -166,7 +172,8 @@ void Engine<S>::apply_loads() {
     if (components_.loads.empty()) return;
     const Timer timer(*this, StepPhase::loads);
     patch_.clear(NodeField::external_force);
-    LoadContext<S> context{time_, patch_, bodies_, *components_.shape, components_.exact_solution.get()};
+    LoadContext<S> context{time_,    patch_, bodies_, *components_.shape, components_.exact_solution.get(),
+                           nodes_of_};
     for (const auto& load : components_.loads) guarded(*load, "apply", [&] { load->apply(context); });
     double squares = 0;
     for (int c = 0; c < S::dimension; ++c) {
@@ -220,8 +227,10 @@ void Engine<S>::accelerate(Real dt, Real factor) {
         }
     });
     walls_.constrain_acceleration(patch_, velocity_from_, velocity_to_, dt_);
-    light_nodes_.follow_acceleration(patch_);
     light_nodes_.restore_velocity(patch_);
+    if (pairs_) add_contact_forces(dt);
+    act_with_tools();
+    light_nodes_.follow_acceleration(patch_);
     if (components_.measures_balance) measure_balance(factor);
     if (components_.damping) damp(dt);
     for_nodes([&](Index, Index begin, Index end) {
@@ -239,6 +248,7 @@ void Engine<S>::accelerate(Real dt, Real factor) {
                   {(velocity_from_.time + velocity_to_.time) / 2});
     if (loaded) add_load_work(dt, factor);
     if (components_.damping) add_damping_work(dt);
+    if (!components_.contacts.empty()) add_contact_work(dt);
 }
 
 /// `share` of the velocity becomes the particles', 1/s: walls take what light nodes give to them and their
@@ -281,6 +291,10 @@ void Engine<S>::remap() {
     scatter({.momentum = NodeField::remapped_velocity});
     walls_.fold_momentum(patch_, NodeField::remapped_velocity, velocity_to_);
     finish_velocity(NodeField::remapped_velocity, velocity_to_);
+    if (pairs_) {
+        separate(NodeField::remapped_velocity);
+        separation_.clear();
+    }
     light_nodes_.follow_velocity(patch_, NodeField::remapped_velocity);
     walls_.fill_velocity(patch_, NodeField::remapped_velocity, velocity_to_);
 }

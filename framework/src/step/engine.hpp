@@ -7,11 +7,13 @@
 #include <matpoint/parallel.hpp>
 #include <matpoint/transfer.hpp>
 
+#include "contact/pairs.hpp"
 #include "step/light_nodes.hpp"
 #include "step/ordering.hpp"
 #include "step/walls.hpp"
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -28,6 +30,8 @@ struct Components {
     std::vector<std::shared_ptr<Material<S>>> materials;  ///< one per body
     std::vector<std::shared_ptr<Load<S>>> loads;
     std::vector<PlacedCondition<S>> conditions;
+    std::vector<PlacedContact<S>> contacts;
+    ContactLayers layers;  ///< of the nodes, by which bodies in contact have velocities of their own
     std::shared_ptr<Damping<S>> damping;            ///< null if the scene has none
     bool measures_balance = false;                  ///< whether Tally::unbalanced_force is asked for
     std::shared_ptr<ExactSolution> exact_solution;  ///< null if the scene has none
@@ -53,6 +57,7 @@ struct Tally {
     double strain_work = 0;            ///< J, done by the stress in the step
     double external_work = 0;          ///< J, by loads and moving boundaries in the step
     double damped = 0;                 ///< J, taken out by damping in the step
+    double contact = 0;                ///< J, taken out where bodies meet, in the step
     double noise_energy = 0;           ///< J, sum m |v - sum S v*|^2 / 2, see RunView::noise
     double unbalanced_force = 0;       ///< N, sum |m a| of nodes that move freely, without damping
     double carried_force = 0;          ///< N, sum |f| of the internal forces, or of the external
@@ -130,7 +135,20 @@ class Engine final : public Phases<S> {
         off_grid_ = true;
     }
     void forget(std::size_t body) { ordering_.forget(body); }
+    /// All nodes, and those of a body.
     const Patch<S>& patch() const { return patch_; }
+    const Patch<S>& patch(std::size_t body) const { return *nodes_of_[body]; }
+    /// What the contacts, in the scene's order, have done so far; a checkpoint keeps it.
+    ContactReport contact_report(std::size_t contact) const;
+    std::map<std::string, double> contact_state(std::size_t contact) const;
+    void restore_contact(std::size_t contact, const std::map<std::string, double>& state);
+    const std::vector<PlacedContact<S>>& contacts() const { return components_.contacts; }
+    /// Memory of all nodes.
+    std::size_t node_bytes() const {
+        std::size_t bytes = patch_.bytes();
+        for (const Patch<S>& layer : further_layers_) bytes += layer.table_bytes();
+        return bytes;
+    }
     const Material<S>& material(std::size_t body) const { return *components_.materials[body]; }
 
     long step_number() const override { return number_; }
@@ -186,6 +204,18 @@ class Engine final : public Phases<S> {
     }
     /// Brings all particles to a halt.
     void stop();
+    void make_layers();
+    void make_blocks();
+    /// Finds where bodies meet, by the mass of the nodes.
+    void meet();
+    /// By share of a node where bodies meet, m/s: its velocity, of this field.
+    void read_meeting(NodeField field);
+    void separate(NodeField velocity);
+    /// What separate() has changed of the nodes' own velocities, before forces act on them.
+    void rejoin();
+    void add_contact_forces(Real dt);
+    void act_with_tools();
+    void add_contact_work(Real dt);
     /// Puts particles back that are beyond closed faces by hardly more than nothing.
     void hold_at_walls();
     void add_reactions(NodeField source, NodeField value, double share, const PathMean& mean);
@@ -194,7 +224,7 @@ class Engine final : public Phases<S> {
     /// body(task, begin, end) of each task over nodes [begin, end).
     template <class Body>
     void for_nodes(const Body& body) const {
-        const auto blocks = static_cast<Index>(patch_.existing_blocks().size());
+        const auto blocks = static_cast<Index>(patch_.blocks_by_place().size());
         parallel_for(node_tasks(), S::dimension * blocks, [&](Index k) {
             body(k, k * nodes_per_task, std::min(patch_.node_count(), (k + 1) * nodes_per_task));
         });
@@ -209,6 +239,12 @@ class Engine final : public Phases<S> {
     Ordering<S> ordering_;
     Walls<S> walls_;
     LightNodes<S> light_nodes_;
+    std::vector<Patch<S>> further_layers_;
+    std::vector<Patch<S>*> layers_, nodes_of_;                    ///< of the nodes: all, and by body
+    std::optional<ContactPairs<S>> pairs_;                        ///< if bodies have velocities of their own
+    std::vector<typename ToolContext<S>::Push> pushes_;           ///< by tools, in this step
+    std::vector<typename S::Position> start_, meeting_, change_;  ///< by share of a meeting node, m/s
+    std::vector<typename S::Position> separation_;  ///< what separate() has added, until forces act; likewise
     bool located_ = false;
     bool off_grid_ = true;  ///< whether a particle may have left the grid
     double largest_mass_ = 0;

@@ -62,12 +62,14 @@ double LightNodes<S>::full_mass(const Patch<S>& patch, const Coordinates& node) 
 }
 
 template <class S>
-void LightNodes<S>::locate(const Patch<S>& patch, const std::vector<char>& inside,
+void LightNodes<S>::locate(std::span<Patch<S>* const> layers, const std::vector<char>& inside,
                            const std::vector<unsigned char>& prescribed, bool loaded) {
     links_.clear();
     leads_.clear();
     kept_.clear();
     if (share_ == 0) return;
+    const Patch<S>& patch = *layers.front();
+    const auto layer = [&](int i) -> const Patch<S>& { return *layers[patch.layer_of(i)]; };
     const Real* const mass = patch.column(NodeField::mass);
     const auto has_load = [&](int i) {
         for (int c = 0; loaded && c < S::dimension; ++c)
@@ -98,7 +100,7 @@ void LightNodes<S>::locate(const Patch<S>& patch, const std::vector<char>& insid
 
     std::vector<int>& alone = light_;  // so far: what no firm node leads
     std::erase_if(alone, [&](int i) {
-        const auto link = along_lines(patch, i);
+        const auto link = along_lines(layer(i), i);
         if (link && link->part > 0) {
             links_.push_back(*link);
             states_[static_cast<std::size_t>(i)] = State::follows;
@@ -106,7 +108,7 @@ void LightNodes<S>::locate(const Patch<S>& patch, const std::vector<char>& insid
         return link.has_value();
     });
     for (const int i : alone)
-        if (const auto link = beside_heavier(patch, i)) links_.push_back(*link);
+        if (const auto link = beside_heavier(layer(i), i)) links_.push_back(*link);
     weigh(patch);
 }
 

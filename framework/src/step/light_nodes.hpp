@@ -33,10 +33,10 @@ class LightNodes {
     /// `share` of a full node's mass below which nodes are light; `density` of the lightest body, kg/m^3.
     LightNodes(double share, double density);
 
-    /// Finds them by the present mass of the nodes, with that of ghosts folded. `inside`, by node: on or
-    /// within the grid's faces; `prescribed`, by node: a bit for each component that a boundary condition
-    /// sets; `loaded`: whether NodeField::external_force exists.
-    void locate(const Patch<S>& patch, const std::vector<char>& inside,
+    /// Finds them in each of the layers by the present mass of the nodes, with that of ghosts folded.
+    /// `inside`, by node: on or within the grid's faces; `prescribed`, by node: a bit for each component that
+    /// a boundary condition sets; `loaded`: whether NodeField::external_force exists.
+    void locate(std::span<Patch<S>* const> layers, const std::vector<char>& inside,
                 const std::vector<unsigned char>& prescribed, bool loaded);
     bool empty() const { return links_.empty(); }
 

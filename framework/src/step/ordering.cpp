@@ -174,11 +174,11 @@ void Ordering<S>::restore(const Patch<S>& patch, const std::vector<Particles<S>>
 }
 
 template <class S>
-std::vector<int> Ordering<S>::blocks(const Patch<S>& patch) const {
+std::vector<int> Ordering<S>::blocks(const Patch<S>& patch, std::span<const std::size_t> bodies) const {
     using Coordinates = typename Patch<S>::Coordinates;
     std::vector<int> numbers;
-    for (const Ranges& ranges : ranges_)
-        for (const BlockRange& range : ranges) {
+    for (const std::size_t body : bodies)
+        for (const BlockRange& range : ranges_[body]) {
             const Coordinates block = patch.block_coordinates(range.block);
             constexpr int neighbours = S::dimension == 1 ? 3 : S::dimension == 2 ? 9 : 27;
             for (int k = 0; k < neighbours; ++k) {

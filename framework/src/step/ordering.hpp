@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace matpoint {
@@ -56,8 +57,8 @@ class Ordering {
     /// Sorts the bodies if a particle has strayed too far, or never was sorted; true if it did. The grid has
     /// no blocks then: what they took serves for sorting.
     bool update(Patch<S>& patch, std::vector<Particles<S>>& bodies, const ShapeFunction<S>& shape);
-    /// Blocks that must exist: those with particles and all their neighbours, ascending.
-    std::vector<int> blocks(const Patch<S>& patch) const;
+    /// Blocks that must exist for these bodies: those with particles and all their neighbours, ascending.
+    std::vector<int> blocks(const Patch<S>& patch, std::span<const std::size_t> bodies) const;
 
     const Ranges& ranges(std::size_t body) const { return ranges_[body]; }
     /// Range numbers of a body by colour: stencils of ranges of one colour never overlap, and each

@@ -263,7 +263,7 @@ void Engine<S>::update(typename Phases<S>::Update what, Real dt) {
             BatchUpdate sink(patch_, bodies_[b], b, *components_.materials[b], first_states_[b], transfer,
                              what, dt, partials_[first + static_cast<std::size_t>(r)]);
             guarded(*components_.shape, "gather", [&] {
-                components_.shape->gather(patch_, bodies_[b], range.begin, range.end, request, sink);
+                components_.shape->gather(*nodes_of_[b], bodies_[b], range.begin, range.end, request, sink);
             });
             if (!what.position) return;
             ordering_.bounds(b)[static_cast<std::size_t>(r)] = sink.bounds();

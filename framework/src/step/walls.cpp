@@ -38,13 +38,15 @@ void Walls<S>::carry(std::size_t condition, const std::array<bool, 3>& prescribe
 }
 
 template <class S>
-void Walls<S>::locate(const Patch<S>& patch) {
+void Walls<S>::locate(std::span<Patch<S>* const> layers) {
+    const Patch<S>& all = *layers.front();
     using Coordinates = typename Patch<S>::Coordinates;
     prescribed_.clear();
-    prescribed_components_.assign(static_cast<std::size_t>(patch.node_count()), 0);
+    prescribed_components_.assign(static_cast<std::size_t>(all.node_count()), 0);
     for (Face& face : faces_) face.links.clear();
 
-    for (int index = 0; index < static_cast<int>(patch.node_count()); ++index) {
+    for (int index = 0; index < static_cast<int>(all.node_count()); ++index) {
+        const Patch<S>& patch = *layers[all.layer_of(index)];
         const Coordinates node = patch.node_coordinates(index);
         for (Face& face : faces_) {
             const auto axis = static_cast<std::size_t>(face.axis);
@@ -292,6 +294,15 @@ bool Walls<S>::hold(const Patch<S>& patch, Particles<S>& particles, Index partic
     }
     const Position x = particles.position(particle);
     return x.allFinite() && !exit(patch, x, time);
+}
+
+template <class S>
+std::array<std::array<bool, 2>, 3> Walls<S>::mirrors() const {
+    std::array<std::array<bool, 2>, 3> all{};
+    for (const Face& face : faces_)
+        all[static_cast<std::size_t>(face.axis)][static_cast<std::size_t>(face.side)] =
+            face.condition[static_cast<std::size_t>(face.axis)] >= 0;
+    return all;
 }
 
 template <class S>

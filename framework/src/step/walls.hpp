@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -66,8 +67,8 @@ class Walls {
 
     explicit Walls(std::vector<PlacedCondition<S>> conditions);
 
-    /// Finds the nodes concerned among those that exist.
-    void locate(const Patch<S>& patch);
+    /// Finds the nodes concerned among those that exist, in each of the layers.
+    void locate(std::span<Patch<S>* const> layers);
 
     void fold_mass(Patch<S>& patch) const;
     /// Folds momentum, which holds mass times velocity at `mean`. Call after fold_mass.
@@ -104,6 +105,8 @@ class Walls {
     /// there, but rounding and nodes with hardly any mass push on. Whether it is on the grid then.
     bool hold(const Patch<S>& patch, Particles<S>& particles, Index particle, double time) const;
 
+    /// By axis and side: whether the grid's face is a wall that mirrors motion along the axis.
+    std::array<std::array<bool, 2>, 3> mirrors() const;
     /// By node: a bit for each component that a condition sets.
     const std::vector<unsigned char>& prescribed_components() const { return prescribed_components_; }
     const std::vector<PlacedCondition<S>>& conditions() const { return conditions_; }

@@ -88,7 +88,7 @@ class BodyForce final : public Load<S> {
                                                                    : Vector(Vector::Zero()),
                                    Vector(particles.column(Field::mass)[p] *
                                           acceleration(particles.position(p, where_), context.time))});
-            context.shape.spread(context.patch, sources, NodeField::external_force);
+            context.shape.spread(context.nodes_of(particles), sources, NodeField::external_force);
         }
     }
 

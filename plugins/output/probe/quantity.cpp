@@ -41,13 +41,14 @@ Quantity::Quantity(const matpoint::Parameters& p)
       field_(p.has("field") ? p.text("field") : ""),
       component_(p.has("component") ? p.text("component") : ""),
       boundary_condition_(p.has("boundary_condition") ? p.text("boundary_condition") : ""),
+      contact_(p.has("contact") ? p.text("contact") : ""),
       has_at_(p.has("at")) {
     if (p.has("particle")) particle_ = p.integer("particle");
     if (has_at_) at_ = p.vector("at");
 }
 
 bool Quantity::is_vector() const {
-    return quantity_ == "centroid" || quantity_ == "momentum" || quantity_ == "reaction";
+    return quantity_ == "centroid" || quantity_ == "momentum" || quantity_ == "reaction" || !contact_.empty();
 }
 
 void Quantity::find(const RunView& run) {
@@ -130,9 +131,13 @@ double Quantity::value(const RunView& run, int component) const {
     if (quantity_ == "particle") return of_particle(run, component);
     if (of_field()) return over_particles(run, component);
     if (quantity_ == "reaction") return run.reaction(boundary_condition_)[c];
+    if (quantity_ == "contact_force") return run.contact(contact_).force[c];
+    if (quantity_ == "contact_torque") return run.contact(contact_).torque[c];
+    if (quantity_ == "position") return run.contact(contact_).position[c];
     if (quantity_ == "strain_energy") return run.energies().strain;
     if (quantity_ == "external_work") return run.energies().external;
     if (quantity_ == "total_energy") return run.energies().total();
+    if (quantity_ == "contact_energy") return run.energies().contact;
     if (quantity_ == "damped_energy") return run.energies().damped;
     if (quantity_ == "unbalanced_force") return run.unbalanced_force();
     if (quantity_ == "noise") return run.noise();

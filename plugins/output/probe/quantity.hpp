@@ -34,7 +34,7 @@ class Quantity {
     double over_particles(const matpoint::RunView& run, int component) const;
     double weighted_by_mass(const matpoint::RunView& run, const char* field, int component) const;
 
-    std::string quantity_, body_, field_, component_, boundary_condition_;
+    std::string quantity_, body_, field_, component_, boundary_condition_, contact_;
     long particle_ = -1;  // its number given at seeding
     std::array<double, 3> at_{};
     bool has_at_ = false;

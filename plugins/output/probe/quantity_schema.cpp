@@ -13,30 +13,35 @@ namespace {
 using enum Use;
 
 /// Which keys go with a quantity.
-const UseTable table{.chooser = "quantity",
-                     .parameters = {"body", "field", "component", "particle", "at", "boundary_condition"},
-                     .rows = {
-                         {"particle", {needed, needed, possible, possible, possible, refused}},
-                         {"centroid", {possible, refused, possible, refused, refused, refused}},
-                         {"reaction", {refused, refused, possible, refused, refused, needed}},
-                         {"kinetic_energy", {possible, refused, refused, refused, refused, refused}},
-                         {"strain_energy", {refused, refused, refused, refused, refused, refused}},
-                         {"external_work", {refused, refused, refused, refused, refused, refused}},
-                         {"total_energy", {refused, refused, refused, refused, refused, refused}},
-                         {"damped_energy", {refused, refused, refused, refused, refused, refused}},
-                         {"unbalanced_force", {refused, refused, refused, refused, refused, refused}},
-                         {"noise", {refused, refused, refused, refused, refused, refused}},
-                         {"momentum", {possible, refused, possible, refused, refused, refused}},
-                         {"mass", {possible, refused, refused, refused, refused, refused}},
-                         {"min", {possible, needed, possible, refused, refused, refused}},
-                         {"max", {possible, needed, possible, refused, refused, refused}},
-                         {"mean", {possible, needed, possible, refused, refused, refused}},
-                     }};
+const UseTable table{
+    .chooser = "quantity",
+    .parameters = {"body", "field", "component", "particle", "at", "boundary_condition", "contact"},
+    .rows = {
+        {"particle", {needed, needed, possible, possible, possible, refused, refused}},
+        {"centroid", {possible, refused, possible, refused, refused, refused, refused}},
+        {"reaction", {refused, refused, possible, refused, refused, needed, refused}},
+        {"contact_force", {refused, refused, possible, refused, refused, refused, needed}},
+        {"contact_torque", {refused, refused, possible, refused, refused, refused, needed}},
+        {"position", {refused, refused, possible, refused, refused, refused, needed}},
+        {"kinetic_energy", {possible, refused, refused, refused, refused, refused, refused}},
+        {"strain_energy", {refused, refused, refused, refused, refused, refused, refused}},
+        {"external_work", {refused, refused, refused, refused, refused, refused, refused}},
+        {"total_energy", {refused, refused, refused, refused, refused, refused, refused}},
+        {"damped_energy", {refused, refused, refused, refused, refused, refused, refused}},
+        {"contact_energy", {refused, refused, refused, refused, refused, refused, refused}},
+        {"unbalanced_force", {refused, refused, refused, refused, refused, refused, refused}},
+        {"noise", {refused, refused, refused, refused, refused, refused, refused}},
+        {"momentum", {possible, refused, possible, refused, refused, refused, refused}},
+        {"mass", {possible, refused, refused, refused, refused, refused, refused}},
+        {"min", {possible, needed, possible, refused, refused, refused, refused}},
+        {"max", {possible, needed, possible, refused, refused, refused, refused}},
+        {"mean", {possible, needed, possible, refused, refused, refused, refused}},
+    }};
 
-bool is_condition(const Json& scene, const std::string& name) {
-    const Json& conditions = scene.at("boundary_conditions");
-    return std::any_of(conditions.begin(), conditions.end(),
-                       [&](const Json& condition) { return condition.value("name", "") == name; });
+bool is_named(const Json& scene, const char* section, const std::string& name) {
+    const Json& all = scene.at(section);
+    return std::any_of(all.begin(), all.end(),
+                       [&](const Json& one) { return one.value("name", "") == name; });
 }
 
 }  // namespace
@@ -47,11 +52,13 @@ void Quantity::describe(Schema& schema) {
     schema
         .choice(
             "quantity",
-            {.doc =
-                 "What is measured: a particle's field; the centre of mass (m); the force of a boundary "
-                 "condition on the bodies (N); energies (J), momentum (kg m/s) and mass (kg); the force that "
-                 "is not in balance, over the forces that should be; the share of the velocity that the "
-                 "grid does not see; the least, greatest or mean value of a field over particles.",
+            {.doc = "What is measured: a particle's field; the centre of mass (m); the force of a boundary "
+                    "condition on the bodies (N); the force (N) of a contact on the first of its bodies, or "
+                    "on its "
+                    "tool, with the tool's torque (N m) and position (m); energies (J), momentum (kg m/s) "
+                    "and mass (kg); the force that "
+                    "is not in balance, over the forces that should be; the share of the velocity that the "
+                    "grid does not see; the least, greatest or mean value of a field over particles.",
              .choices = std::move(quantities)})
         .add("body", ParameterType::reference,
              {.doc = "The body that is measured; all together if absent.",
@@ -68,7 +75,8 @@ void Quantity::describe(Schema& schema) {
                               .at_least = 0})
         .vector("at",
                 {.unit = "m", .doc = "The particle nearest to this place at the start.", .optional = true})
-        .text("boundary_condition", {.doc = "The `name` of the boundary condition.", .optional = true});
+        .text("boundary_condition", {.doc = "The `name` of the boundary condition.", .optional = true})
+        .text("contact", {.doc = "The `name` of the contact.", .optional = true});
 
     schema.use(table);
     schema.refuse("", "the quantity \"particle\" needs either `particle` or `at`, and not both",
@@ -81,8 +89,9 @@ void Quantity::describe(Schema& schema) {
                   "has dimensions",
                   [](const Json& own, const Json& scene) {
                       const Json& quantity = own.at("quantity");
-                      if (quantity != "centroid" && quantity != "momentum" && quantity != "reaction")
-                          return false;
+                      const std::vector<std::string> vectors{"centroid",      "momentum",       "reaction",
+                                                             "contact_force", "contact_torque", "position"};
+                      if (std::find(vectors.begin(), vectors.end(), quantity) == vectors.end()) return false;
                       if (!own.contains("component")) return false;
                       const auto dimension = scene.at("space").at("dimension").get<std::size_t>();
                       const std::string component = own.at("component");
@@ -91,6 +100,10 @@ void Quantity::describe(Schema& schema) {
     schema.refuse("/boundary_condition", "no boundary condition has this name: give one the key `name`",
                   [](const Json& own, const Json& scene) {
                       return own.contains("boundary_condition") &&
-                             !is_condition(scene, own.at("boundary_condition").get<std::string>());
+                             !is_named(scene, "boundary_conditions",
+                                       own.at("boundary_condition").get<std::string>());
                   });
+    schema.refuse("/contact", "no contact has this name", [](const Json& own, const Json& scene) {
+        return own.contains("contact") && !is_named(scene, "contacts", own.at("contact").get<std::string>());
+    });
 }

@@ -1,0 +1,278 @@
+#include "contact/meeting_nodes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace matpoint {
+
+namespace {
+/// Shares of a node's mass below which a layer is not there: what is measured of it is rounding.
+constexpr double least_share = 1e-5;
+/// Cells; thinner domains count as so thick.
+constexpr double least_half_size = 1e-3;
+/// Nodes along an axis that a domain may reach.
+constexpr int most_nodes = 16;
+}  // namespace
+
+template <class S>
+MeetingNodes<S>::MeetingNodes(const Patch<S>& patch, const ShapeFunction<S>& shape)
+    : spline_(degree(patch, shape)) {}
+
+/// A point reaches one node more along an axis than the degree of the basis.
+template <class S>
+int MeetingNodes<S>::degree(const Patch<S>& patch, const ShapeFunction<S>& shape) {
+    using Real = typename S::Real;
+    const typename S::Position x =
+        patch.min() + (patch.cells()[0] / 2 + 0.3) * patch.cell_size().minCoeff() * Vector::Ones();
+    const auto stencil =
+        guarded(shape, "stencil", [&] { return shape.stencil(patch, x, S::Vector::Zero()); });
+    std::vector<int> along;
+    for (std::size_t k = 0; k < stencil.nodes.size(); ++k)
+        if (stencil.weights[k] > Real(1e-6)) along.push_back(stencil.nodes[k][0]);
+    std::ranges::sort(along);
+    const auto count = std::ranges::distance(along.begin(), std::ranges::unique(along).begin());
+    return std::clamp(static_cast<int>(count) - 1, 1, 3);
+}
+
+template <class S>
+void MeetingNodes<S>::locate(std::span<Patch<S>* const> layers, std::span<const std::size_t> layer,
+                             std::vector<ParticlesOfBlock> particles) {
+    const Patch<S>& patch = *layers.front();
+    layers_.assign(layers.begin(), layers.end());
+    layer_.assign(layer.begin(), layer.end());
+    blocks_.clear();
+    entries_.clear();
+    near_.clear();
+    share_at_.assign(static_cast<std::size_t>(patch.node_count()), -1);
+    const std::vector<int>& numbers = patch.blocks_by_place();
+    for (std::size_t begin = 0; begin < numbers.size();) {
+        std::size_t end = begin + 1;
+        while (end < numbers.size() && numbers[end] == numbers[begin]) ++end;
+        if (end > begin + 1) {
+            blocks_.push_back({numbers[begin], entries_.size(), entries_.size() + (end - begin)});
+            for (std::size_t k = begin; k < end; ++k) {
+                const int first = static_cast<int>(k) * Patch<S>::block_nodes;
+                entries_.push_back({patch.layer_of(first), first});
+            }
+        }
+        begin = end;
+    }
+    const auto shared = [&](int number) {
+        const auto found = std::ranges::lower_bound(blocks_, number, {}, &Block::number);
+        return found != blocks_.end() && found->number == number ? found - blocks_.begin() : -1;
+    };
+    for (ParticlesOfBlock& own : particles) {
+        Near near{own, {}};
+        const Coordinates centre = patch.block_coordinates(own.block);
+        constexpr int count = S::dimension == 1 ? 3 : S::dimension == 2 ? 9 : 27;
+        for (int k = 0; k < count; ++k) {
+            Coordinates block = centre;
+            bool exists = true;
+            for (std::size_t a = 0, rest = static_cast<std::size_t>(k); a < S::dimension; ++a, rest /= 3) {
+                block[a] += static_cast<int>(rest % 3) - 1;
+                exists = exists && block[a] >= 0 && block[a] < patch.blocks()[a];
+            }
+            const auto found = exists ? shared(patch.block_number(block)) : -1;
+            if (found >= 0) near.blocks.push_back(static_cast<std::size_t>(found));
+        }
+        if (!near.blocks.empty()) near_.push_back(std::move(near));
+    }
+}
+
+template <class S>
+void MeetingNodes<S>::find(const Patch<S>& patch, std::span<const Particles<S>> bodies,
+                           const std::vector<char>& inside, const std::array<std::array<bool, 2>, 3>& walls,
+                           bool neighbours) {
+    for (const Share& share : shares_) share_at_[static_cast<std::size_t>(share.place)] = -1;
+    walls_ = walls;
+    lists_neighbours_ = neighbours;
+    nodes_.clear();
+    shares_.clear();
+    unsorted_.clear();
+    of_share_.clear();
+    const auto* const mass = patch.column(NodeField::mass);
+    boxes_.assign(blocks_.size(), {});
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+        boxes_[b].low.fill(1);
+        boxes_[b].high.fill(0);
+        for (int local = 0; local < Patch<S>::block_nodes; ++local) {
+            const std::size_t first = shares_.size();
+            double whole = 0;
+            for (std::size_t e = blocks_[b].begin; e < blocks_[b].end; ++e)
+                whole += static_cast<double>(mass[entries_[e].first + local]);
+            if (!(whole > 0) || !inside[static_cast<std::size_t>(entries_[blocks_[b].begin].first + local)])
+                continue;
+            for (std::size_t e = blocks_[b].begin; e < blocks_[b].end; ++e) {
+                const int place = entries_[e].first + local;
+                const auto own = static_cast<double>(mass[place]);
+                if (own > least_share * whole)
+                    shares_.push_back({.place = place, .layer = entries_[e].layer, .mass = own});
+            }
+            if (shares_.size() < first + 2) {
+                shares_.resize(first);
+                continue;
+            }
+            nodes_.push_back({first, shares_.size()});
+            for (std::size_t k = first; k < shares_.size(); ++k)
+                share_at_[static_cast<std::size_t>(shares_[k].place)] = static_cast<int>(k);
+            const Coordinates node = patch.node_coordinates(shares_[first].place);
+            Box& box = boxes_[b];
+            if (box.empty()) box = {node, node};
+            for (std::size_t a = 0; a < S::dimension; ++a) {
+                box.low[a] = std::min(box.low[a], node[a]);
+                box.high[a] = std::max(box.high[a], node[a]);
+            }
+        }
+    }
+    if (nodes_.empty()) return;
+    for (const Near& near : near_) {
+        Box box;
+        box.low.fill(1);
+        box.high.fill(0);
+        for (const std::size_t b : near.blocks) {
+            const Box& own = boxes_[b];
+            if (own.empty()) continue;
+            if (box.empty()) box = own;
+            for (std::size_t a = 0; a < S::dimension; ++a) {
+                box.low[a] = std::min(box.low[a], own.low[a]);
+                box.high[a] = std::max(box.high[a], own.high[a]);
+            }
+        }
+        if (!box.empty()) measure(patch, near, box, bodies[near.particles.body]);
+    }
+    if (lists_neighbours_) sort_neighbours();
+}
+
+template <class S>
+void MeetingNodes<S>::measure(const Patch<S>& patch, const Near& near, const Box& box,
+                              const Particles<S>& particles) {
+    for (Index p = near.particles.begin; p < near.particles.end; ++p)
+        visit_images(patch, extent(patch, particles, p),
+                     [&](const Extent& own) { add(patch, near, box, own); });
+}
+
+/// A box with the second moments of the deformed domain along each axis, l_a^2 = sum_b (F_ab l0_b)^2: itself
+/// where it is only stretched along the axes, and as large as before where it only turns.
+template <class S>
+auto MeetingNodes<S>::extent(const Patch<S>& patch, const Particles<S>& particles, Index p) const -> Extent {
+    const auto f = ParticleBatch<S>::load_deformation_gradient(particles, p);
+    const auto l = particles.vector(Field::initial_half_size, p);
+    Extent own{(particles.position(p) - patch.min()).cwiseProduct(patch.inverse_cell_size()), Vector::Zero(),
+               particles.value(Field::volume, 0, p)};
+    if constexpr (S::axisymmetric) own.volume /= 2 * std::numbers::pi * particles.position(p)[0];
+    for (int a = 0; a < S::dimension; ++a) {
+        double square = 0;
+        for (int b = 0; b < S::dimension; ++b) {
+            const double edge = static_cast<double>(f.plane(a, b)) * static_cast<double>(l[b]);
+            square += edge * edge;
+        }
+        own.half_size[a] = std::max(std::sqrt(square) * patch.inverse_cell_size()[a], least_half_size);
+    }
+    return own;
+}
+
+/// Behind a wall, which mirrors, lies the image of what is before it.
+template <class S>
+template <class Visit>
+void MeetingNodes<S>::visit_images(const Patch<S>& patch, const Extent& own, const Visit& visit) const {
+    std::array<Extent, 1 << S::dimension> images;
+    std::size_t count = 1;
+    images[0] = own;
+    for (int a = 0; a < S::dimension; ++a)
+        for (int side = 0; side < 2; ++side) {
+            const auto axis = static_cast<std::size_t>(a);
+            if (!walls_[axis][static_cast<std::size_t>(side)]) continue;
+            const double wall = side == 0 ? 0 : patch.cells()[axis];
+            const double reach = 2 * spline_.reach() + own.half_size[a];
+            if (std::abs(own.centre[a] - wall) > reach || 2 * count > images.size()) continue;
+            for (std::size_t k = 0; k < count; ++k) {
+                images[count + k] = images[k];
+                images[count + k].centre[a] = 2 * wall - images[k].centre[a];
+            }
+            count *= 2;
+        }
+    for (std::size_t k = 0; k < count; ++k) visit(images[k]);
+}
+
+template <class S>
+void MeetingNodes<S>::add(const Patch<S>& patch, const Near& near, const Box& box, const Extent& own) {
+    struct Weights {
+        std::array<double, most_nodes> mass, moment, slope;
+    };
+    std::array<Weights, S::dimension> weights;
+    Coordinates low, high;
+    for (int a = 0; a < S::dimension; ++a) {
+        const auto axis = static_cast<std::size_t>(a);
+        const double reach = spline_.reach() + own.half_size[a];
+        low[axis] = std::max(static_cast<int>(std::ceil(own.centre[a] - reach)), box.low[axis]);
+        high[axis] = std::min({static_cast<int>(std::floor(own.centre[a] + reach)), box.high[axis],
+                               low[axis] + most_nodes - 1});
+        if (low[axis] > high[axis]) return;
+    }
+    for (int a = 0; a < S::dimension; ++a) {
+        const auto axis = static_cast<std::size_t>(a);
+        for (int i = low[axis]; i <= high[axis]; ++i) {
+            const double begin = own.centre[a] - own.half_size[a] - i, end = begin + 2 * own.half_size[a];
+            const auto k = static_cast<std::size_t>(i - low[axis]);
+            const double share = 1 / (2 * own.half_size[a]);
+            weights[axis].mass[k] = share * (spline_.mass(end) - spline_.mass(begin));
+            weights[axis].moment[k] = share * (spline_.moment(end) - spline_.moment(begin));
+            // Into the body: the node's weight grows where the body lies.
+            weights[axis].slope[k] = share * (spline_.value(begin) - spline_.value(end));
+        }
+    }
+    const Patch<S>& layer = *layers_[layer_[near.particles.body]];
+    const double cell = patch.cell_size().prod();
+    Coordinates node = low;
+    for (;;) {
+        const int place = layer.node_index(node);
+        const int found = place < 0 ? -1 : share_at_[static_cast<std::size_t>(place)];
+        if (found >= 0) {
+            Share& share = shares_[static_cast<std::size_t>(found)];
+            const auto number = [&](std::size_t a) { return static_cast<std::size_t>(node[a] - low[a]); };
+            double mass = own.volume / cell;
+            for (std::size_t a = 0; a < S::dimension; ++a) mass *= weights[a].mass[number(a)];
+            share.size += mass;
+            for (int b = 0; b < S::dimension; ++b) {
+                double moment = own.volume / cell, slope = own.volume / cell;
+                for (std::size_t a = 0; a < S::dimension; ++a) {
+                    const Weights& w = weights[a];
+                    const bool along = static_cast<int>(a) == b;
+                    moment *= along ? w.moment[number(a)] : w.mass[number(a)];
+                    slope *= along ? w.slope[number(a)] : w.mass[number(a)];
+                }
+                share.moment[b] += moment * patch.cell_size()[b];
+                share.gradient[b] += slope * patch.inverse_cell_size()[b];
+            }
+            if (lists_neighbours_) {
+                Vector from;
+                for (int a = 0; a < S::dimension; ++a)
+                    from[a] = own.centre[a] - node[static_cast<std::size_t>(a)];
+                unsorted_.push_back({from.cwiseProduct(patch.cell_size()),
+                                     own.half_size.cwiseProduct(patch.cell_size()), own.volume});
+                of_share_.push_back(static_cast<std::size_t>(found));
+            }
+        }
+        std::size_t a = 0;
+        while (a < S::dimension && node[a] == high[a]) node[a] = low[a], ++a;
+        if (a == S::dimension) break;
+        ++node[a];
+    }
+}
+
+template <class S>
+void MeetingNodes<S>::sort_neighbours() {
+    first_neighbour_.assign(shares_.size() + 1, 0);
+    for (const std::size_t share : of_share_) ++first_neighbour_[share + 1];
+    std::partial_sum(first_neighbour_.begin(), first_neighbour_.end(), first_neighbour_.begin());
+    std::vector<std::size_t> next(first_neighbour_.begin(), first_neighbour_.end() - 1);
+    neighbours_.resize(unsorted_.size());
+    for (std::size_t k = 0; k < unsorted_.size(); ++k) neighbours_[next[of_share_[k]]++] = unsorted_[k];
+}
+
+#define MATPOINT_INSTANTIATE(S) template class MeetingNodes<S>;
+MATPOINT_FOR_EACH_SPACE(MATPOINT_INSTANTIATE)
+
+}  // namespace matpoint
