@@ -10,7 +10,7 @@ namespace matpoint {
 namespace {
 
 /// The plane n.x + b = 0 that parts the particles of two layers best, by logistic regression from `start` on
-/// [Nairn 2020, doi 10.1016/j.cma.2020.112859, without its separations]: the least of
+/// [Nairn et al. 2020, sec. 3]: the least of
 ///
 ///     sum_p w_p log(1 + exp(-c_p (n.x_p + b))) + k/2 |n|^2
 ///
