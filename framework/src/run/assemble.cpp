@@ -442,6 +442,7 @@ Assembly<S> assemble(const Scene& scene, const Registry& registry) {
         maker.add(check_extents(parts));
         maker.add(check_overlaps(parts));
     });
+    maker.add(check_contacts<S>(parts, components.contacts));
     maker.attempt("", [&] { maker.add(check_axis(parts)); });
     maker.add(check_measured(parts, within.get()));
     maker.throw_if_errors();

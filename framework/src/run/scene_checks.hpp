@@ -1,11 +1,13 @@
 #pragma once
 
+#include "contact/placed_contact.hpp"
 #include "run/findings.hpp"
 #include "step/walls.hpp"
 
 #include <matpoint/shape_function.hpp>
 
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace matpoint {
@@ -32,6 +34,10 @@ Findings check_extents(const SceneParts<S>& parts);
 /// Space that two bodies fill.
 template <class S>
 Findings check_overlaps(const SceneParts<S>& parts);
+
+/// Bodies that are too thin for how a contact measures gaps.
+template <class S>
+Findings check_contacts(const SceneParts<S>& parts, std::span<const PlacedContact<S>> contacts);
 
 /// Motion along the radius that an axisymmetric space can't have.
 template <class S>
