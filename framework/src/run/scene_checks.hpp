@@ -27,6 +27,10 @@ struct SceneParts {
 template <class S>
 Findings check_conditions(const SceneParts<S>& parts);
 
+/// Parts of bodies whose conditions hold no node, or prescribe a component twice.
+template <class S>
+Findings check_parts(const SceneParts<S>& parts);
+
 /// Bodies that the grid cuts.
 template <class S>
 Findings check_extents(const SceneParts<S>& parts);
