@@ -38,6 +38,8 @@ std::string reason_for(const std::string& name) {
             return "an affine transfer";
         case Field::grid_velocity_gradient:
             return "an integrator whose strain lags";
+        case Field::grid_velocity:
+            return "a transfer of higher order";
         case Field::half_size:
             return "the shape function's particle domain";
         case Field::initial_half_size:

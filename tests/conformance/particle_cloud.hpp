@@ -17,8 +17,7 @@ Patch<S> make_patch() {
     typename Patch<S>::Coordinates own{};
     std::copy_n(cells.begin(), S::dimension, own.begin());
     Patch<S> patch({0, -0.2, 0.1}, {0.1, 0.25, 0.16}, own);  // x is a radius when axisymmetric
-    patch.require(NodeField::remapped_velocity);
-    patch.require(NodeField::external_force);
+    for (int field = 0; field < node_fields; ++field) patch.require(static_cast<NodeField>(field));
     int blocks = 1;
     for (const int n : patch.blocks()) blocks *= n;
     std::vector<int> numbers(static_cast<std::size_t>(blocks));
@@ -41,10 +40,12 @@ class ParticleCloud {
         : particles("cloud"), patch_(patch) {
         shape.declare(particles);
         particles.require(Field::velocity_gradient);
+        particles.require(Field::grid_velocity);
         particles.resize(count);
         for (Index p = 0; p < count; ++p) place(p, p < count / 3);
         for (const Field field : {Field::mass, Field::volume}) fill(field, 1, 0.5, 2);
         fill(Field::velocity, d, -1, 1);
+        fill(Field::grid_velocity, d, -1, 1);
         fill(Field::stress, S::stress_size, -1, 1);
         fill(Field::velocity_gradient, d * d, -1, 1);
         for (int a = 0; a < d; ++a) {

@@ -144,10 +144,14 @@ class ShapeFunctionChecks {
     }
 
     void scatter_agrees_with_stencil() {
-        for (const bool affine : {false, true}) {
+        enum class Sent { velocity, extended_velocity, grid_velocity };
+        for (const Sent sent : {Sent::velocity, Sent::extended_velocity, Sent::grid_velocity}) {
             clear();
-            const int slot = affine ? cloud_.particles.slot(Field::velocity_gradient) : -1;
-            const Scatter what{true, NodeField::velocity, slot, true};
+            const bool affine = sent == Sent::extended_velocity;
+            Scatter what{.mass = true, .momentum = NodeField::velocity, .internal_force = true};
+            if (affine) what.affine_slot = cloud_.particles.slot(Field::velocity_gradient);
+            if (sent == Sent::grid_velocity) what.velocity_slot = cloud_.particles.slot(Field::grid_velocity);
+            const Field field = sent == Sent::grid_velocity ? Field::grid_velocity : Field::velocity;
             shape_.scatter(patch_, cloud_.particles, 0, size() / 2, what);
             shape_.scatter(patch_, cloud_.particles, size() / 2, size(), what);
             auto mass = zeros(1), momentum = zeros(d), force = zeros(d);
@@ -155,8 +159,9 @@ class ShapeFunctionChecks {
                 const auto s = stencil(p);
                 for (std::size_t k = 0; k < s.nodes.size(); ++k) {
                     const auto i = static_cast<std::size_t>(patch_.node_index(s.nodes[k]));
-                    const Vector v = velocity(p) + (affine ? Vector(extension(p) * cloud_.arm(s.nodes[k], p))
-                                                           : Vector(Vector::Zero()));
+                    const Vector v =
+                        cloud_.particles.vector(field, p) +
+                        (affine ? Vector(extension(p) * cloud_.arm(s.nodes[k], p)) : Vector(Vector::Zero()));
                     const Vector f = -particle(Field::volume, p) * traction(p, s.weights[k], s.gradients[k]);
                     mass[0][i] += s.weights[k] * particle(Field::mass, p);
                     for (std::size_t c = 0; c < d; ++c) {

@@ -145,6 +145,17 @@ class TransferChecks {
         Real dt;
     };
 
+    /// Keeps what particles read.
+    struct Read final : GatherSink<S> {
+        explicit Read(Particles<S>& p) : particles(p) {}
+        void receive(Index begin, int count, const Gathered<S>& gathered) override {
+            for (int c = 0; c < d; ++c)
+                std::copy_n(gathered.velocity[static_cast<std::size_t>(c)].data(), count,
+                            particles.column(Field::grid_velocity, c) + begin);
+        }
+        Particles<S>& particles;
+    };
+
     Index size() const { return cloud_.particles.size(); }
     static Matrix slope() {
         Matrix l;
@@ -189,7 +200,32 @@ class TransferChecks {
             for (Index i = 0; i < patch_.node_count(); ++i)
                 patch_.column(NodeField::velocity, c)[i] += a[c] * dt;
     }
+    /// As the kernel, to transfers of higher order.
+    void add_terms() {
+        std::vector<std::vector<Real>> lumped;
+        for (int c = 0; c < d; ++c) {
+            const Real* v = patch_.column(NodeField::velocity, c);
+            lumped.emplace_back(v, v + patch_.node_count());
+        }
+        const int slot = cloud_.particles.slot(Field::grid_velocity);
+        for (int term = 1; term < transfer_.order(); ++term) {
+            Read sink(cloud_.particles);
+            shape_.gather(patch_, cloud_.particles, 0, size(), {.velocity = NodeField::velocity}, sink);
+            patch_.clear(NodeField::resampled_velocity);
+            shape_.scatter(patch_, cloud_.particles, 0, size(),
+                           {.momentum = NodeField::resampled_velocity, .velocity_slot = slot});
+            for (int c = 0; c < d; ++c)
+                for (Index i = 0; i < patch_.node_count(); ++i) {
+                    const Real mass = patch_.column(NodeField::mass)[i];
+                    if (mass > Real(0))
+                        patch_.column(NodeField::velocity, c)[i] +=
+                            lumped[static_cast<std::size_t>(c)][static_cast<std::size_t>(i)] -
+                            patch_.column(NodeField::resampled_velocity, c)[i] / mass;
+                }
+        }
+    }
     void update(Real dt) {
+        add_terms();
         Gather what{.acceleration = transfer_.needs_acceleration(), .affine = transfer_.needs_affine()};
         if (transfer_.grid_share() > Real(0)) what.velocity = NodeField::velocity;
         Update sink(transfer_, cloud_.particles, dt);

@@ -14,6 +14,7 @@ std::vector<Json> every_transfer() {
     std::vector<Json> transfers = every_plugin("transfer");
     for (const double pic_fraction : {0.0, 0.3, 1.0})
         for (const bool enhanced : {false, true}) transfers.push_back(flip(pic_fraction, enhanced));
+    for (const int order : {1, 3, 6}) transfers.push_back({{"type", "fmpm"}, {"order", order}});
     return transfers;
 }
 

@@ -63,10 +63,10 @@ TEST(scene, resolves_again_to_itself_from_any_folder) {
 TEST(scene, knows_its_space) {
     EXPECT_EQ(resolve({"/space/mode=axisymmetric"}).space, SpaceId::of<Axisymmetric>());
     EXPECT_EQ(resolve({"/space/precision=single"}).space, SpaceId::of<PlaneStrainSingle>());
-    EXPECT_EQ(
-        complaints({"/space/mode=solid"}),
-        "--set /space/mode: error: /space/mode: in 2 dimension(s) expected plane_strain or axisymmetric, got "
-        "\"solid\"");
+    EXPECT_EQ(complaints({"/space/mode=solid"}),
+              "--set /space/mode: error: /space/mode: in 2 dimension(s) expected plane_strain or "
+              "plane_stress or axisymmetric, got "
+              "\"solid\"");
 }
 
 TEST(scene, takes_null_as_an_absent_optional_key) {

@@ -10,16 +10,19 @@
 
 namespace matpoint {
 
-/// Node fields. The last two exist only if the integrator or a load asks.
+/// Node fields. Those after acceleration exist only if the integrator, a load or the transfer asks.
 enum class NodeField {
-    mass,               ///< kg
-    velocity,           ///< momentum while it is being summed, then velocity, m/s
-    force,              ///< internal force, then the sum of all forces, N
-    acceleration,       ///< m/s^2
-    remapped_velocity,  ///< velocity projected anew from the updated particles, m/s
-    external_force,     ///< N
+    mass,                ///< kg
+    velocity,            ///< momentum while it is being summed, then velocity, m/s
+    force,               ///< internal force, then the sum of all forces, N
+    acceleration,        ///< m/s^2
+    remapped_velocity,   ///< velocity projected anew from the updated particles, m/s
+    external_force,      ///< N
+    lumped_velocity,     ///< momentum over mass, of which a transfer of higher order makes the velocity, m/s
+    resampled_momentum,  ///< of particles that move with the nodes, kg m/s
+    resampled_velocity,  ///< that over mass, m/s
 };
-inline constexpr int node_fields = static_cast<int>(NodeField::external_force) + 1;
+inline constexpr int node_fields = static_cast<int>(NodeField::resampled_velocity) + 1;
 std::string_view node_field_name(NodeField field);
 
 /// A rectangular lattice of cells whose nodes exist only in blocks near particles.

@@ -30,6 +30,7 @@ enum class Field {
     velocity_gradient,       ///< L = dv/dx of the last stress update, 1/s; in-plane components by column
     affine_velocity,         ///< C of the affine transfer, 1/s; likewise
     grid_velocity_gradient,  ///< what of L is taken back in the next step, by integrators that lag; as H
+    grid_velocity,           ///< what transfers of higher order read of the nodes and send again, m/s
     half_size,               ///< half-lengths of the particle's domain at the start of the step, m
     initial_half_size,       ///< the same at the start of the run
     initial_position,        ///< X, m

@@ -16,6 +16,7 @@ struct Scatter {
     int affine_slot = -1;                 ///< particle field that is A; -1: none
     bool internal_force = false;          ///< f_i -= sum sigma grad S V
     Field stress = Field::stress;         ///< that is sigma
+    int velocity_slot = -1;               ///< particle field that is v; -1: Field::velocity
 };
 
 /// What the particles read from the nodes in one pass.

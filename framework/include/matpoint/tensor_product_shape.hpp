@@ -319,9 +319,11 @@ class TensorProductShape : public ShapeFunction<S> {
         for (auto& own : flux) Loops::clear(own);
         if (sent.motion) {
             const Lanes mass = slice.load(particles.column(Field::mass));
+            Real* const* const velocity = what.velocity_slot < 0 ? particles.columns(Field::velocity)
+                                                                 : particles.columns(what.velocity_slot);
             value[Loops::mass_place] = mass;
             for (int c = 0; c < D; ++c) {
-                value[c] = mass * slice.load(particles.column(Field::velocity, c));
+                value[c] = mass * slice.load(velocity[c]);
                 if (sent.affine)
                     for (int a = 0; a < D; ++a)
                         flux[a][c] = mass * slice.load(particles.column(what.affine_slot, c + D * a));

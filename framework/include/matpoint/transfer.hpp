@@ -21,6 +21,9 @@ class Transfer : public Component {
     /// Share of a particle's velocity that is replaced by the grid's in a step: 0 for FLIP, 1 for PIC and
     /// APIC.
     virtual Real grid_share() const = 0;
+    /// Terms of the series for the inverse of the full mass matrix that makes nodal velocities of momenta; 1:
+    /// the lumped mass alone. More read and send Field::grid_velocity, which they need.
+    virtual int order() const { return 1; }
     /// New velocity of every particle of the batch from what was gathered; dt in s.
     virtual void update(const ParticleBatch<S>& batch, Real dt) const = 0;
 };

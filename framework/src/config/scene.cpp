@@ -40,7 +40,7 @@ bool is_absent(const Json& object, const char* key) {
 /// Modes of a dimension, the default first.
 std::vector<std::string> modes(int dimension) {
     if (dimension == 1) return {"bar"};
-    if (dimension == 2) return {"plane_strain", "axisymmetric"};
+    if (dimension == 2) return {"plane_strain", "plane_stress", "axisymmetric"};
     return {"solid"};
 }
 
@@ -144,6 +144,9 @@ void check_sections(Json& resolved, int dimension, Validator& validator) {
             validator.error("/space/mode", fmt::format("in {} dimension(s) expected {}, got \"{}\"",
                                                        dimension, fmt::join(allowed, " or "), mode));
         }
+        if (mode == "plane_stress" && resolved.contains("exact_solution") &&
+            resolved["exact_solution"].is_object())
+            validator.error("/exact_solution", "there is none for plane stress");
     }
     if (resolved["bodies"].is_object()) check_bodies(resolved["bodies"], validator);
     if (resolved["contacts"].is_array()) check_contacts(resolved["contacts"], validator);
@@ -194,10 +197,11 @@ void check_texts(const Json& value, const std::string& at, Validator& validator)
 
 SpaceId space_of(const Json& space) {
     const std::string mode = space.at("mode");
+    // Plane stress is a matter of materials alone.
     return {.mode = mode == "bar"            ? Mode::bar
-                    : mode == "plane_strain" ? Mode::plane_strain
                     : mode == "axisymmetric" ? Mode::axisymmetric
-                                             : Mode::solid,
+                    : mode == "solid"        ? Mode::solid
+                                             : Mode::plane_strain,
             .single = space.at("precision") == "single"};
 }
 

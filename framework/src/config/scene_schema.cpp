@@ -13,9 +13,9 @@ Schema space_schema() {
         .integer("dimension", {.doc = "Number of axes of the grid", .at_least = 1, .at_most = 3})
         .choice("mode",
                 {.doc = "How directions outside the grid behave; by default bar in 1D, plane_strain in 2D, "
-                        "solid in 3D",
+                        "solid in 3D. plane_stress: a sheet 1 m thick at the start, whose thickness is free",
                  .optional = true,
-                 .choices = {"bar", "plane_strain", "axisymmetric", "solid"}})
+                 .choices = {"bar", "plane_strain", "plane_stress", "axisymmetric", "solid"}})
         .choice(
             "precision",
             {.doc = "Of floating-point numbers", .default_value = "double", .choices = {"double", "single"}});

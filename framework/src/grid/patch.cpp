@@ -10,8 +10,15 @@
 namespace matpoint {
 
 std::string_view node_field_name(NodeField field) {
-    constexpr std::array<std::string_view, node_fields> names = {
-        "mass", "velocity", "force", "acceleration", "remapped_velocity", "external_force"};
+    constexpr std::array<std::string_view, node_fields> names = {"mass",
+                                                                 "velocity",
+                                                                 "force",
+                                                                 "acceleration",
+                                                                 "remapped_velocity",
+                                                                 "external_force",
+                                                                 "lumped_velocity",
+                                                                 "resampled_momentum",
+                                                                 "resampled_velocity"};
     return names[static_cast<std::size_t>(field)];
 }
 

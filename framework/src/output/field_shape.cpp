@@ -10,6 +10,7 @@ FieldShape field_shape(const std::string& field, int components, SpaceId space) 
         switch (*known) {
             case Field::position:
             case Field::velocity:
+            case Field::grid_velocity:
             case Field::half_size:
             case Field::initial_half_size:
             case Field::initial_position:

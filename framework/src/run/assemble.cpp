@@ -10,6 +10,7 @@
 #include "particles/seeding.hpp"
 #include "run/derived_fields.hpp"
 #include "run/memory.hpp"
+#include "run/plane_stress.hpp"
 #include "run/resource_error.hpp"
 #include "run/scene_checks.hpp"
 
@@ -370,10 +371,8 @@ void count_memory(const Particles<S>& particles, const Patch<S>& patch, const Ge
     memory.add(particles.body(), count, bytes);
 }
 
-}  // namespace
-
 template <class S>
-Assembly<S> assemble(const Scene& scene, const Registry& registry) {
+Assembly<S> assemble_with(const Scene& scene, const Registry& registry) {
     Maker maker(scene, registry);
     Assembly<S> result;
     Components<S>& components = result.components;
@@ -536,6 +535,15 @@ Assembly<S> assemble(const Scene& scene, const Registry& registry) {
                 ParticleBatch<S>::store_stress(particles, p, ParticleBatch<S>::load_stress(particles, p),
                                                Field::total_stress);
     return result;
+}
+
+}  // namespace
+
+template <class S>
+Assembly<S> assemble(const Scene& scene, const Registry& registry) {
+    if (scene.resolved.at("space").at("mode") == "plane_stress")
+        return assemble_with<S>(scene, with_plane_stress(registry));
+    return assemble_with<S>(scene, registry);
 }
 
 #define MATPOINT_INSTANTIATE(S) template Assembly<S> assemble<S>(const Scene&, const Registry&);

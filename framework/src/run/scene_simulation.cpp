@@ -65,7 +65,11 @@ SceneSimulation<S>::SceneSimulation(const Scene& scene, PluginCatalogue& catalog
     if (guarded_) refuse_faults(scene);
     const double phase = shortest_wave_phase(engine_.patch(), assembly_.bodies, *assembly_.components.shape);
     // Beyond 1 a particle could cross a cell in a step.
-    stable_part_ = phase > 0 ? std::min(assembly_.components.integrator->largest_phase() / phase, 1.0) : 1.0;
+    const Components<S>& components = assembly_.components;
+    // Vibrations that the particles hardly carry are accelerated by as many times the force.
+    const double largest_phase =
+        components.integrator->largest_phase() / std::sqrt(components.transfer->order());
+    stable_part_ = phase > 0 ? std::min(largest_phase / phase, 1.0) : 1.0;
     numbers_.first_mass = mass();
     numbers_.given_momentum = engine_.tally().momentum;
     numbers_.first_energy = energies().total();

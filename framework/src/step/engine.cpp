@@ -35,6 +35,10 @@ Engine<S>::Engine(Components<S> components, std::vector<Particles<S>>& bodies, s
       light_nodes_(components_.light_nodes, lowest_density<S>(components_.materials)) {
     if (!components_.loads.empty()) patch_.require(NodeField::external_force);
     for (const NodeField field : components_.integrator->node_fields()) patch_.require(field);
+    if (has_terms())
+        for (const NodeField field :
+             {NodeField::lumped_velocity, NodeField::resampled_momentum, NodeField::resampled_velocity})
+            patch_.require(field);
     make_layers();
     for (const Particles<S>& particles : bodies_) {
         const Real* mass = particles.column(Field::mass);
@@ -111,6 +115,8 @@ void Engine<S>::scatter(const Scatter& request) {
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
         Scatter own = request;
         if (bodies_[b].has(Field::total_stress)) own.stress = Field::total_stress;
+        if (request.momentum == NodeField::resampled_momentum)
+            own.velocity_slot = bodies_[b].slot(Field::grid_velocity);
         own.affine_slot = request.momentum && extends(*request.momentum)
                               ? bodies_[b].slot(*components_.transfer->affine())
                               : -1;
@@ -169,7 +175,9 @@ void Engine<S>::project(typename Phases<S>::Projection projection) {
             light_nodes_.follow_velocity(patch_, NodeField::velocity);
             if (dt_ > 0) unilateral_.push_ahead(patch_);  // else no step follows
             walls_.fill_velocity(patch_, NodeField::velocity, ahead);
+            if (has_terms()) add_terms(NodeField::velocity, ahead);
         }
+        terms_added_ = has_terms() && !projection.internal_force;
     }
     if (projection.internal_force) walls_.fold_force(patch_, NodeField::force);
 }
@@ -221,6 +229,10 @@ void Engine<S>::accelerate(Real dt, Real factor) {
     const bool loaded = !components_.loads.empty();
     const Real* mass = patch_.column(NodeField::mass);
     const Real cutoff = static_cast<Real>(mass_cutoff * largest_mass_);
+    if (std::exchange(terms_added_, false))
+        for (int c = 0; c < S::dimension; ++c)
+            std::copy_n(patch_.column(NodeField::lumped_velocity, c), patch_.node_count(),
+                        patch_.column(NodeField::velocity, c));
 
     for_nodes([&](Index, Index begin, Index end) {
         for (int c = 0; c < S::dimension; ++c) {
@@ -256,6 +268,11 @@ void Engine<S>::accelerate(Real dt, Real factor) {
     walls_.fill_velocity(patch_, NodeField::velocity, velocity_to_);
     add_reactions(NodeField::force, NodeField::acceleration, dt_,
                   {(velocity_from_.time + velocity_to_.time) / 2});
+    if (has_terms()) {
+        add_terms(NodeField::velocity, velocity_to_);
+        // The rounds before the last were of the same momentum: what walls gave to it is taken back.
+        add_reactions(NodeField::resampled_momentum, NodeField::resampled_velocity, -1, velocity_to_);
+    }
     if (loaded) add_load_work(dt, factor);
     if (components_.damping) add_damping_work(dt);
     if (!components_.contacts.empty()) add_contact_work(dt);
@@ -322,6 +339,7 @@ void Engine<S>::remap() {
     light_nodes_.follow_velocity(patch_, NodeField::remapped_velocity);
     unilateral_.hold(patch_, NodeField::remapped_velocity);
     walls_.fill_velocity(patch_, NodeField::remapped_velocity, velocity_to_);
+    if (has_terms()) add_terms(NodeField::remapped_velocity, velocity_to_);
 }
 
 #define MATPOINT_INSTANTIATE(S) template class Engine<S>;

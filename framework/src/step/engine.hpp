@@ -164,6 +164,7 @@ class Engine final : public Phases<S> {
 
   private:
     class BatchUpdate;
+    class GridVelocity;
     /// Counts the time of its life to a phase.
     class Timer;
 
@@ -173,6 +174,10 @@ class Engine final : public Phases<S> {
     void apply_loads();
     /// Momentum to velocity, zero where there is hardly any mass; then walls.
     void finish_velocity(NodeField field, const PathMean& mean);
+    void resample(NodeField velocity, const PathMean& mean);
+    /// Makes a velocity of the lumped mass matrix one of as many terms as the transfer wants.
+    void add_terms(NodeField velocity, const PathMean& mean);
+    bool has_terms() const { return components_.transfer->order() > 1; }
     void follow_light_nodes(Real share);
     void add_load_work(Real dt, Real factor);
     /// J, of a force (N, `force(c)` its component c by node) in the step whose acceleration is done. Folding
@@ -260,6 +265,7 @@ class Engine final : public Phases<S> {
     std::vector<typename ToolContext<S>::Push> pushes_;           ///< by tools, in this step
     std::vector<typename S::Position> start_, meeting_, change_;  ///< by share of a meeting node, m/s
     std::vector<typename S::Position> separation_;  ///< what separate() has added, until forces act; likewise
+    bool terms_added_ = false;  ///< whether NodeField::velocity has more terms than it is accelerated with
     bool located_ = false;
     bool off_grid_ = true;  ///< whether a particle may have left the grid
     double largest_mass_ = 0;

@@ -281,11 +281,11 @@ void LightNodes<S>::follow(const Patch<S>& patch, int component, Real* values, R
 }
 
 template <class S>
-void LightNodes<S>::follow_velocity(Patch<S>& patch, NodeField velocity, Real share) {
+void LightNodes<S>::follow_velocity(Patch<S>& patch, NodeField velocity, Real share, NodeField given) {
     const Real* const mass = patch.column(NodeField::mass);
     for (int c = 0; c < S::dimension; ++c) {
         Real* const v = patch.column(velocity, c);
-        follow(patch, c, v, patch.column(NodeField::force, c), share, [&](int i) { return mass[i] * v[i]; });
+        follow(patch, c, v, patch.column(given, c), share, [&](int i) { return mass[i] * v[i]; });
     }
 }
 

@@ -41,8 +41,9 @@ class LightNodes {
     bool empty() const { return links_.empty(); }
 
     /// Makes a velocity field one that particles may read. What goes to prescribed components is added,
-    /// `share` times, to the force, unless that is 0.
-    void follow_velocity(Patch<S>& patch, NodeField velocity, Real share = 0);
+    /// `share` times, to `given`, unless that is 0.
+    void follow_velocity(Patch<S>& patch, NodeField velocity, Real share = 0,
+                         NodeField given = NodeField::force);
     /// Nodes' own velocities, which accelerations are added to, before they follow, and back.
     void keep_velocity(const Patch<S>& patch);
     void restore_velocity(Patch<S>& patch);
