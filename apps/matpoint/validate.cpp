@@ -28,8 +28,10 @@ std::string reason_for(const std::string& name) {
         case Field::volume:
         case Field::stress:
             return "always";
+        case Field::total_stress:
+            return "artificial viscosity";
         case Field::displacement_gradient:
-            return "a material or a domain that follows the deformation";
+            return "a material, a domain or a wall that follows the deformation";
         case Field::velocity_gradient:
             return "an output of it";
         case Field::affine_velocity:
@@ -39,7 +41,7 @@ std::string reason_for(const std::string& name) {
         case Field::half_size:
             return "the shape function's particle domain";
         case Field::initial_half_size:
-            return "a particle domain that follows the deformation";
+            return "a particle domain that follows the deformation, loads on faces and walls that let go";
         case Field::initial_position:
             return "displacements: outputs, checks, exact solutions";
         case Field::position_remainder:

@@ -103,8 +103,8 @@ class ParticlePack {
         if constexpr (S::axisymmetric) t.normal = load(columns[plane_size]);
         return t;
     }
-    MATPOINT_INLINE Tensor<S, Number> stress() const {
-        Real* const* const columns_of_stress = columns(Field::stress);
+    MATPOINT_INLINE Tensor<S, Number> stress(Field field = Field::stress) const {
+        Real* const* const columns_of_stress = columns(field);
         const auto s = [&](int c) { return load(columns_of_stress[c]); };
         Tensor<S, Number> t;
         if constexpr (d == 1) {
@@ -122,8 +122,8 @@ class ParticlePack {
         }
         return t;
     }
-    MATPOINT_INLINE void set_stress(const Tensor<S, Number>& t) const {
-        Real* const* const s = columns(Field::stress);
+    MATPOINT_INLINE void set_stress(const Tensor<S, Number>& t, Field field = Field::stress) const {
+        Real* const* const s = columns(field);
         store(s[0], t.plane(0, 0));
         if constexpr (d == 2) {
             store(s[1], t.plane(1, 1));

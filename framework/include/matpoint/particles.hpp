@@ -20,11 +20,12 @@ namespace matpoint {
 /// Particle fields that the kernel knows. The first five always exist, the others when a component
 /// of the scene asks for them.
 enum class Field {
-    position,  ///< x, m; one component per dimension
-    velocity,  ///< v, m/s
-    mass,      ///< m, kg (of the whole ring when axisymmetric; per unit width in 1D and plane strain)
-    volume,    ///< V, m^3 (likewise)
-    stress,    ///< Cauchy stress, Pa; components as Space::stress_size says
+    position,      ///< x, m; one component per dimension
+    velocity,      ///< v, m/s
+    mass,          ///< m, kg (of the whole ring when axisymmetric; per unit width in 1D and plane strain)
+    volume,        ///< V, m^3 (likewise)
+    stress,        ///< Cauchy stress, Pa; components as Space::stress_size says
+    total_stress,  ///< the stress less an artificial pressure, in bodies that have one, Pa; likewise
     displacement_gradient,   ///< H = F - I; components as Space::deformation_size says
     velocity_gradient,       ///< L = dv/dx of the last stress update, 1/s; in-plane components by column
     affine_velocity,         ///< C of the affine transfer, 1/s; likewise
@@ -266,8 +267,8 @@ class ParticleBatch {
         if constexpr (S::axisymmetric)
             particles.column(Field::displacement_gradient, S::dimension * S::dimension)[p] = t.normal;
     }
-    static Tensor<S> load_stress(const Particles<S>& particles, Index p) {
-        const auto s = [&](int c) { return particles.column(Field::stress, c)[p]; };
+    static Tensor<S> load_stress(const Particles<S>& particles, Index p, Field field = Field::stress) {
+        const auto s = [&](int c) { return particles.column(field, c)[p]; };
         Tensor<S> t;
         if constexpr (S::dimension == 1) {
             t.plane << s(0);
@@ -279,8 +280,9 @@ class ParticleBatch {
         }
         return t;
     }
-    static void store_stress(Particles<S>& particles, Index p, const Tensor<S>& t) {
-        const auto set = [&](int c, Real value) { particles.column(Field::stress, c)[p] = value; };
+    static void store_stress(Particles<S>& particles, Index p, const Tensor<S>& t,
+                             Field field = Field::stress) {
+        const auto set = [&](int c, Real value) { particles.column(field, c)[p] = value; };
         set(0, t.plane(0, 0));
         if constexpr (S::dimension == 2) {
             set(1, t.plane(1, 1));

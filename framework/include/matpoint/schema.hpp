@@ -29,8 +29,8 @@ enum class ParameterType {
     profiles,    ///< one profile per dimension; null leaves that component free
     reference,   ///< a name in the scene's section `section` ("bodies", "materials")
     references,  ///< a name or a list of names there; resolved to a list
-    place,  ///< a grid face ("x_min"), a list of faces, or a geometry object; resolved to a list of faces or
-            ///< the object
+    place,  ///< a grid face ("x_min"), a list of faces, a geometry object, or a part of a body ({"body": …,
+            ///< "within": geometry}); resolved to a list of faces or the object
     component,   ///< an object with "type", of kind `kind`
     components,  ///< a list of such objects
     object,      ///< an object described by `nested`

@@ -15,6 +15,7 @@ struct Scatter {
     std::optional<NodeField> momentum{};  ///< into this field: sum S m (v + A (x_i - x_p))
     int affine_slot = -1;                 ///< particle field that is A; -1: none
     bool internal_force = false;          ///< f_i -= sum sigma grad S V
+    Field stress = Field::stress;         ///< that is sigma
 };
 
 /// What the particles read from the nodes in one pass.

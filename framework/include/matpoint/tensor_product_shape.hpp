@@ -331,7 +331,7 @@ class TensorProductShape : public ShapeFunction<S> {
             // f_i -= sum sigma grad S V [Wallstedt & Guilkey 2008, eq. 14]; axisymmetric: and, radially,
             // S V sigma_hoop / r.
             constexpr int component[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
-            Real* const* const stress = particles.columns(Field::stress);
+            Real* const* const stress = particles.columns(what.stress);
             const Lanes volume = -slice.load(particles.column(Field::volume));
             for (int a = 0; a < D; ++a)
                 for (int c = 0; c < D; ++c)

@@ -121,7 +121,7 @@ std::string expected(const Parameter& p, int dimension) {
         case ParameterType::references:
             return fmt::format("a name in /{} or a list of them", p.section);
         case ParameterType::place:
-            return fmt::format("a face or a list of faces ({}), or a geometry",
+            return fmt::format("a face or a list of faces ({}), a geometry, or a part of a body",
                                fmt::join(face_names(dimension), ", "));
         case ParameterType::component:
             return fmt::format("a {}: an object with \"type\"", p.kind);

@@ -85,7 +85,7 @@ Json value(const Parameter& p) {
             const Json face{{"enum", face_names(0)}};
             Json faces = list_of(face);
             faces["minItems"] = 1;
-            return any_of({face, std::move(faces), reference_to("geometry")});
+            return any_of({face, std::move(faces), reference_to("geometry"), object(part_schema())});
         }
         case ParameterType::component:
             return reference_to(p.kind);

@@ -22,10 +22,17 @@ Schema with_light_nodes() {
 
 Schema with_place_and_name() {
     return Schema()
-        .add("on", ParameterType::place, {.doc = "Grid faces, or the region, where the condition holds"})
+        .add("on", ParameterType::place,
+             {.doc = "Grid faces, or the region, where the condition holds; or the body, or the part of it "
+                     "within a geometry at the start, that carries it along"})
         .boolean("waits", {.doc = "In a region: whether it is meant that no body is there at the start",
                            .default_value = false})
         .text("name", {.doc = "What probes call the condition", .optional = true})
+        .refuse("/waits", "a body has what it carries from the start: leave it out",
+                [](const Json& own, const Json&) {
+                    return own.at("on").is_object() && own.at("on").contains("body") &&
+                           own.at("waits") == true;
+                })
         .refuse(
             "/waits", "a face waits for bodies whatever is said: leave it out",
             [](const Json& own, const Json&) { return own.at("on").is_array() && own.at("waits") == true; });
@@ -70,6 +77,17 @@ Schema with_interval() {
     return refuse_two_intervals(schema);
 }
 
+Schema make_part_schema() {
+    return Schema("A body, or a part of it")
+        .add("body", ParameterType::reference,
+             {.doc = "A name in /bodies", .start_only = true, .section = "bodies"})
+        .add("within", ParameterType::component,
+             {.doc = "Where the part is at the start; by default everywhere",
+              .optional = true,
+              .start_only = true,
+              .kind = "geometry"});
+}
+
 std::vector<Kind> make_kinds() {
     return {
         {"grid", "grid", "Background grid", with_light_nodes()},
@@ -80,8 +98,8 @@ std::vector<Kind> make_kinds() {
         {"geometry", "", "Region that a body fills or a condition holds in", Schema()},
         {"load", "loads", "Body force or traction", with_name()},
         {"contact", "contacts", "Law between bodies that meet, or a rigid tool", with_contact_name()},
-        {"boundary_condition", "boundary_conditions", "Condition on grid faces or in a region",
-         with_place_and_name()},
+        {"boundary_condition", "boundary_conditions",
+         "Condition on grid faces, in a region or on a part of a body", with_place_and_name()},
         {"damping", "damping", "What leads a scene to rest", Schema()},
         {"exact_solution", "exact_solution", "Known solution that errors are measured against",
          with_measure()},
@@ -95,6 +113,11 @@ Schema& refuse_two_intervals(Schema& schema) {
     return schema.refuse(
         "/every_steps", "give `every` or `every_steps`, not both",
         [](const Json& own, const Json&) { return own.contains("every") && own.contains("every_steps"); });
+}
+
+const Schema& part_schema() {
+    static const Schema schema = make_part_schema();
+    return schema;
 }
 
 const std::vector<Kind>& kinds() {

@@ -19,6 +19,8 @@ struct Kind {
 
 /// All kinds, in the order of SCENE.md.
 const std::vector<Kind>& kinds();
+/// What ParameterType::place takes as a part of a body.
+const Schema& part_schema();
 /// nullptr if there is no such kind.
 const Kind* find_kind(std::string_view name);
 

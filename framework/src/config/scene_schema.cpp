@@ -57,6 +57,25 @@ Schema time_schema() {
         [](const Json& own, const Json&) { return own.contains("wave_speed") && own.contains("step"); });
 }
 
+Schema viscosity_schema() {
+    return Schema("Artificial pressure q under compression, D = tr L < 0, beside the stress of the material",
+                  "[von Neumann & Richtmyer 1950; Landshoff 1955; Chen & Brannon 2002, sec. 2]")
+        .choice("form", {.doc = "landshoff: q = rho (linear c h |D| + quadratic h^2 D^2). chen_brannon: "
+                                "eq. 2-1 with g = h/c, q = sqrt(c h rho lambda |D|) (linear + quadratic "
+                                "|D| / max |D|)",
+                         .default_value = "landshoff",
+                         .choices = {"landshoff", "chen_brannon"}})
+        .number("linear", {.doc = "c1", .default_value = 0.2, .at_least = 0})
+        .number("quadratic", {.doc = "c2", .default_value = 2.0, .at_least = 0})
+        .number("bulk_modulus", {.unit = "Pa",
+                                 .doc = "lambda of chen_brannon; by default rho c^2",
+                                 .optional = true,
+                                 .greater_than = 0})
+        .refuse("/bulk_modulus", "belongs to the form chen_brannon", [](const Json& own, const Json&) {
+            return own.at("form") == "landshoff" && own.contains("bulk_modulus");
+        });
+}
+
 Schema body_schema() {
     return Schema("Particles of one material")
         .add("material", ParameterType::reference, {.doc = "A name in /materials", .section = "materials"})
@@ -84,6 +103,10 @@ Schema body_schema() {
               .default_value = Json::array(),
               .start_only = true,
               .section = "bodies"})
+        .add("artificial_viscosity", ParameterType::object,
+             {.doc = "A pressure against compression, which spreads shocks over a few cells",
+              .optional = true,
+              .nested = nested(viscosity_schema())})
         .add("geometry", ParameterType::component,
              {.doc = "The region to fill", .start_only = true, .kind = "geometry"});
 }

@@ -1,3 +1,4 @@
+#include "config/kinds.hpp"
 #include "config/validate.hpp"
 
 #include "config/expected.hpp"
@@ -239,6 +240,7 @@ Json Validator::face(const Parameter& p, const Json& given, const std::string& a
 }
 
 Json Validator::place(const Parameter& p, const Json& given, const std::string& at) {
+    if (given.is_object() && given.contains("body")) return object(part_schema(), given, at);
     if (given.is_object()) return component("geometry", given, at);
     if (given.is_string()) return Json::array({face(p, given, at)});
     if (given.is_array() && given.empty()) return mismatch(p, given, at);

@@ -10,10 +10,10 @@ namespace matpoint {
 namespace {
 /// Shares of a node's mass below which a layer is not there: what is measured of it is rounding.
 constexpr double least_share = 1e-5;
-/// Cells; thinner domains count as so thick.
-constexpr double least_half_size = 1e-3;
+/// Cells; thinner or longer domains count as so large.
+constexpr double least_half_size = 1e-3, largest_half_size = 2;
 /// Nodes along an axis that a domain may reach.
-constexpr int most_nodes = 16;
+constexpr int most_nodes = 9;
 }  // namespace
 
 template <class S>
@@ -148,19 +148,28 @@ void MeetingNodes<S>::find(const Patch<S>& patch, std::span<const Particles<S>> 
 template <class S>
 void MeetingNodes<S>::measure(const Patch<S>& patch, const Near& near, const Box& box,
                               const Particles<S>& particles) {
-    for (Index p = near.particles.begin; p < near.particles.end; ++p)
-        visit_images(patch, extent(patch, particles, p),
+    const double reach = spline_.reach() + largest_half_size;
+    for (Index p = near.particles.begin; p < near.particles.end; ++p) {
+        const Vector centre = (particles.position(p) - patch.min()).cwiseProduct(patch.inverse_cell_size());
+        bool reaches = true;
+        for (int a = 0; a < S::dimension; ++a) {
+            const auto axis = static_cast<std::size_t>(a);
+            reaches = reaches && centre[a] > box.low[axis] - reach && centre[a] < box.high[axis] + reach;
+        }
+        if (!reaches) continue;
+        visit_images(patch, extent(patch, particles, p, centre),
                      [&](const Extent& own) { add(patch, near, box, own); });
+    }
 }
 
 /// A box with the second moments of the deformed domain along each axis, l_a^2 = sum_b (F_ab l0_b)^2: itself
 /// where it is only stretched along the axes, and as large as before where it only turns.
 template <class S>
-auto MeetingNodes<S>::extent(const Patch<S>& patch, const Particles<S>& particles, Index p) const -> Extent {
+auto MeetingNodes<S>::extent(const Patch<S>& patch, const Particles<S>& particles, Index p,
+                             const Vector& centre) const -> Extent {
     const auto f = ParticleBatch<S>::load_deformation_gradient(particles, p);
     const auto l = particles.vector(Field::initial_half_size, p);
-    Extent own{(particles.position(p) - patch.min()).cwiseProduct(patch.inverse_cell_size()), Vector::Zero(),
-               particles.value(Field::volume, 0, p)};
+    Extent own{centre, Vector::Zero(), particles.value(Field::volume, 0, p)};
     if constexpr (S::axisymmetric) own.volume /= 2 * std::numbers::pi * particles.position(p)[0];
     for (int a = 0; a < S::dimension; ++a) {
         double square = 0;
@@ -168,7 +177,8 @@ auto MeetingNodes<S>::extent(const Patch<S>& patch, const Particles<S>& particle
             const double edge = static_cast<double>(f.plane(a, b)) * static_cast<double>(l[b]);
             square += edge * edge;
         }
-        own.half_size[a] = std::max(std::sqrt(square) * patch.inverse_cell_size()[a], least_half_size);
+        own.half_size[a] =
+            std::clamp(std::sqrt(square) * patch.inverse_cell_size()[a], least_half_size, largest_half_size);
     }
     return own;
 }
@@ -199,7 +209,7 @@ void MeetingNodes<S>::visit_images(const Patch<S>& patch, const Extent& own, con
 template <class S>
 void MeetingNodes<S>::add(const Patch<S>& patch, const Near& near, const Box& box, const Extent& own) {
     struct Weights {
-        std::array<double, most_nodes> mass, moment, slope;
+        std::array<double, most_nodes> mass, moment;
     };
     std::array<Weights, S::dimension> weights;
     Coordinates low, high;
@@ -211,54 +221,51 @@ void MeetingNodes<S>::add(const Patch<S>& patch, const Near& near, const Box& bo
                                low[axis] + most_nodes - 1});
         if (low[axis] > high[axis]) return;
     }
+    const Patch<S>& layer = *layers_[layer_[near.particles.body]];
+    hits_.clear();
+    for (Coordinates node = low;;) {
+        const int place = layer.node_index(node);
+        const int found = place < 0 ? -1 : share_at_[static_cast<std::size_t>(place)];
+        if (found >= 0) hits_.push_back({node, static_cast<std::size_t>(found)});
+        std::size_t a = 0;
+        while (a < S::dimension && node[a] == high[a]) node[a] = low[a], ++a;
+        if (a == S::dimension) break;
+        ++node[a];
+    }
+    if (hits_.empty()) return;
+
     for (int a = 0; a < S::dimension; ++a) {
         const auto axis = static_cast<std::size_t>(a);
         for (int i = low[axis]; i <= high[axis]; ++i) {
             const double begin = own.centre[a] - own.half_size[a] - i, end = begin + 2 * own.half_size[a];
             const auto k = static_cast<std::size_t>(i - low[axis]);
             const double share = 1 / (2 * own.half_size[a]);
-            weights[axis].mass[k] = share * (spline_.mass(end) - spline_.mass(begin));
-            weights[axis].moment[k] = share * (spline_.moment(end) - spline_.moment(begin));
-            // Into the body: the node's weight grows where the body lies.
-            weights[axis].slope[k] = share * (spline_.value(begin) - spline_.value(end));
+            const Spline::Values from = spline_.at(begin), to = spline_.at(end);
+            weights[axis].mass[k] = share * (to.mass - from.mass);
+            weights[axis].moment[k] = share * (to.moment - from.moment);
         }
     }
-    const Patch<S>& layer = *layers_[layer_[near.particles.body]];
-    const double cell = patch.cell_size().prod();
-    Coordinates node = low;
-    for (;;) {
-        const int place = layer.node_index(node);
-        const int found = place < 0 ? -1 : share_at_[static_cast<std::size_t>(place)];
-        if (found >= 0) {
-            Share& share = shares_[static_cast<std::size_t>(found)];
-            const auto number = [&](std::size_t a) { return static_cast<std::size_t>(node[a] - low[a]); };
-            double mass = own.volume / cell;
-            for (std::size_t a = 0; a < S::dimension; ++a) mass *= weights[a].mass[number(a)];
-            share.size += mass;
-            for (int b = 0; b < S::dimension; ++b) {
-                double moment = own.volume / cell, slope = own.volume / cell;
-                for (std::size_t a = 0; a < S::dimension; ++a) {
-                    const Weights& w = weights[a];
-                    const bool along = static_cast<int>(a) == b;
-                    moment *= along ? w.moment[number(a)] : w.mass[number(a)];
-                    slope *= along ? w.slope[number(a)] : w.mass[number(a)];
-                }
-                share.moment[b] += moment * patch.cell_size()[b];
-                share.gradient[b] += slope * patch.inverse_cell_size()[b];
-            }
-            if (lists_neighbours_) {
-                Vector from;
-                for (int a = 0; a < S::dimension; ++a)
-                    from[a] = own.centre[a] - node[static_cast<std::size_t>(a)];
-                unsorted_.push_back({from.cwiseProduct(patch.cell_size()),
-                                     own.half_size.cwiseProduct(patch.cell_size()), own.volume});
-                of_share_.push_back(static_cast<std::size_t>(found));
-            }
+    const double volume = own.volume * patch.inverse_cell_size().prod();
+    for (const Hit& hit : hits_) {
+        Share& share = shares_[hit.share];
+        const auto number = [&](std::size_t a) { return static_cast<std::size_t>(hit.node[a] - low[a]); };
+        double mass = volume;
+        for (std::size_t a = 0; a < S::dimension; ++a) mass *= weights[a].mass[number(a)];
+        share.size += mass;
+        for (std::size_t b = 0; b < S::dimension; ++b) {
+            double moment = volume;
+            for (std::size_t a = 0; a < S::dimension; ++a)
+                moment *= a == b ? weights[a].moment[number(a)] : weights[a].mass[number(a)];
+            const auto axis = static_cast<Eigen::Index>(b);
+            share.moment[axis] += moment * patch.cell_size()[axis];
         }
-        std::size_t a = 0;
-        while (a < S::dimension && node[a] == high[a]) node[a] = low[a], ++a;
-        if (a == S::dimension) break;
-        ++node[a];
+        if (!lists_neighbours_) continue;
+        Vector from;
+        for (int a = 0; a < S::dimension; ++a)
+            from[a] = own.centre[a] - hit.node[static_cast<std::size_t>(a)];
+        unsorted_.push_back({from.cwiseProduct(patch.cell_size()),
+                             own.half_size.cwiseProduct(patch.cell_size()), own.volume});
+        of_share_.push_back(hit.share);
     }
 }
 

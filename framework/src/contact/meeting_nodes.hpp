@@ -22,7 +22,7 @@ struct ParticlesOfBlock {
 /// node is measured by sums over its particles' domains, exact for contiguous boxes, whatever the shape
 /// function:
 ///
-///     O = sum_p int_p N_i, M = sum_p int_p N_i (x - x_i), G = - sum_p int_p grad N_i
+///     O = sum_p int_p N_i, M = sum_p int_p N_i (x - x_i)
 ///
 /// with the spline N that reaches as far as the shape function does.
 template <class S>
@@ -34,10 +34,10 @@ class MeetingNodes {
     struct Share {
         int place;  ///< of the node in the columns
         std::size_t layer;
-        double mass;                       ///< kg
-        double size = 0;                   ///< O, in cells
-        Vector moment = Vector::Zero();    ///< M / O is the centroid of what is around the node, m
-        Vector gradient = Vector::Zero();  ///< G, 1/m: points into the layer's body
+        double mass;      ///< kg
+        double size = 0;  ///< O, in cells
+        Vector moment =
+            Vector::Zero();  ///< M, m: M / O is the centroid of what is around the node, from there
     };
     struct Node {
         std::size_t begin, end;  ///< of its shares, by ascending layer
@@ -87,13 +87,17 @@ class MeetingNodes {
         ParticlesOfBlock particles;
         std::vector<std::size_t> blocks;  ///< shared ones in its neighbourhood that the body's layer has
     };
+    struct Hit {
+        Coordinates node;
+        std::size_t share;
+    };
     struct Extent {
         Vector centre, half_size;  ///< in cells from node 0
         double volume;             ///< m^D
     };
 
     static int degree(const Patch<S>& patch, const ShapeFunction<S>& shape);
-    Extent extent(const Patch<S>& patch, const Particles<S>& particles, Index p) const;
+    Extent extent(const Patch<S>& patch, const Particles<S>& particles, Index p, const Vector& centre) const;
     template <class Visit>
     void visit_images(const Patch<S>& patch, const Extent& own, const Visit& visit) const;
     void measure(const Patch<S>& patch, const Near& near, const Box& box, const Particles<S>& particles);
@@ -112,6 +116,7 @@ class MeetingNodes {
     std::vector<Box> boxes_;  ///< by shared block: its nodes where layers meet
     std::vector<Node> nodes_;
     std::vector<Share> shares_;
+    std::vector<Hit> hits_;      ///< of one particle
     std::vector<int> share_at_;  ///< by place; -1: none
     std::vector<Neighbour> neighbours_, unsorted_;
     std::vector<std::size_t> first_neighbour_, of_share_;

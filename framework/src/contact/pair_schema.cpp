@@ -29,12 +29,12 @@ void declare_contact_pair(Schema& schema) {
               .start_only = true,
               .choices = {"all"},
               .section = "bodies"})
-        .add(
-            "normal", ParameterType::any,
-            {.doc = "Direction from one body into the other at a node: \"average\" of the gradients of both, "
-                    "\"regression\" (the plane that parts their particles best), or {\"fixed\": [0, 1]} from "
-                    "the first body named into the others",
-             .default_value = "average"})
+        .add("normal", ParameterType::any,
+             {.doc = "Direction from one body into the other at a node: \"average\" (from the centroid of "
+                     "what one has around the node to the other's), \"regression\" (across the plane that "
+                     "parts their particles best), or {\"fixed\": [0, 1]} from the first body named into the "
+                     "others",
+              .default_value = "average"})
         .choice("gap",
                 {.doc = "How far apart their surfaces are: by the moments of what is around a node, by "
                         "the faces of the closest particles, or as soon as they share a node",

@@ -18,6 +18,7 @@ FieldShape field_shape(const std::string& field, int components, SpaceId space) 
             case Field::velocity_remainder:
                 return FieldShape::vector;
             case Field::stress:
+            case Field::total_stress:
                 return FieldShape::symmetric;
             case Field::displacement_gradient:
             case Field::grid_velocity_gradient:

@@ -13,6 +13,7 @@ constexpr std::array<std::string_view, known_fields> names = {"position",
                                                               "mass",
                                                               "volume",
                                                               "stress",
+                                                              "total_stress",
                                                               "displacement_gradient",
                                                               "velocity_gradient",
                                                               "affine_velocity",
@@ -35,6 +36,7 @@ std::vector<double> initial_values(Field field) {
         case Field::volume_remainder:
             return {0};
         case Field::stress:
+        case Field::total_stress:
             return std::vector<double>(S::stress_size, 0);
         case Field::displacement_gradient:
         case Field::grid_velocity_gradient:

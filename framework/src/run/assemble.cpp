@@ -114,7 +114,14 @@ void make_conditions(Maker& maker, std::vector<PlacedCondition<S>>& conditions) 
         PlacedCondition<S> placed;
         placed.name = all[k].value("name", "");
         placed.condition = maker.make<BoundaryCondition<S>>("boundary_condition", pointer);
-        if (all[k].at("on").is_object()) {
+        if (const Json& on = all[k].at("on"); on.contains("body")) {
+            const Json& bodies = maker.json("/bodies");
+            placed.part.emplace();
+            placed.part->body = static_cast<std::size_t>(
+                std::distance(bodies.begin(), bodies.find(on.at("body").get<std::string>())));
+            if (on.contains("within"))
+                placed.part->within = maker.make<Geometry>("geometry", pointer + "/on/within");
+        } else if (on.is_object()) {
             placed.region = maker.make<Geometry>("geometry", pointer + "/on");
         } else {
             placed.faces = all[k].at("on").get<std::vector<std::string>>();
@@ -264,6 +271,60 @@ void set_exact_gradient(const ExactSolution& solution, Particles<S>& particles, 
 }
 
 template <class S>
+std::optional<ArtificialViscosity> viscosity_of(const Json& body, const Patch<S>& patch) {
+    if (!body.contains("artificial_viscosity")) return {};
+    const Json& own = body.at("artificial_viscosity");
+    ArtificialViscosity viscosity{.form = own.at("form") == "landshoff"
+                                              ? ArtificialViscosity::Form::landshoff
+                                              : ArtificialViscosity::Form::chen_brannon,
+                                  .linear = own.at("linear").get<double>(),
+                                  .quadratic = own.at("quadratic").get<double>(),
+                                  .length = std::pow(patch.cell_size().prod(), 1.0 / S::dimension)};
+    if (own.contains("bulk_modulus")) viscosity.bulk_modulus = own.at("bulk_modulus").get<double>();
+    return viscosity;
+}
+
+/// Gives a body's particles a field for each condition that a part of it carries.
+template <class S>
+void mark_parts(std::vector<PlacedCondition<S>>& conditions, Particles<S>& particles, std::size_t body) {
+    for (std::size_t k = 0; k < conditions.size(); ++k)
+        if (auto& part = conditions[k].part; part && part->body == body)
+            part->slot = particles.require(fmt::format("boundary_condition_{}", k), 1);
+}
+
+/// Tells the particles of the parts, which start with what the conditions prescribe.
+template <class S>
+void fill_parts(Maker& maker, const std::vector<PlacedCondition<S>>& conditions, Particles<S>& particles,
+                std::size_t body) {
+    for (std::size_t k = 0; k < conditions.size(); ++k) {
+        const auto& part = conditions[k].part;
+        if (!part || part->body != body) continue;
+        const std::string pointer = fmt::format("/boundary_conditions/{}/on", k);
+        const BoundaryCondition<S>& own = *conditions[k].condition;
+        maker.attempt(pointer, [&] {
+            const auto prescribes = guarded(own, "prescribes", [&] { return own.prescribes(-1); });
+            bool found = false;
+            for (Index p = 0; p < particles.size(); ++p) {
+                Eigen::Vector3d x = Eigen::Vector3d::Zero();
+                x.head<S::dimension>() = particles.position(p);
+                const Geometry* const within = part->within.get();
+                if (within && !guarded(*within, "contains", [&] { return within->contains(x); })) continue;
+                found = true;
+                particles.column(part->slot, 0)[p] = 1;
+                const auto v =
+                    guarded(own, "velocity", [&] { return own.velocity(particles.position(p), 0); });
+                for (int c = 0; c < S::dimension; ++c)
+                    if (prescribes[static_cast<std::size_t>(c)])
+                        particles.column(Field::velocity, c)[p] = v[c];
+            }
+            if (!found)
+                maker.mistake(pointer + (part->within ? "/within" : ""),
+                              fmt::format("there is no particle of \"{}\" in this part", particles.body()));
+        });
+    }
+}
+
+template <class S>
 SeededBody describe(const Particles<S>& particles, const Geometry& geometry) {
     SeededBody seeded{particles.body(), static_cast<std::size_t>(particles.size()), 0, 0,
                       volume_of<S>(geometry)};
@@ -386,6 +447,10 @@ Assembly<S> assemble(const Scene& scene, const Registry& registry) {
         if (guarded(*material, "uses_deformation_gradient",
                     [&] { return material->uses_deformation_gradient(); }))
             particles.require(Field::displacement_gradient);
+        if (std::ranges::any_of(components.conditions,
+                                [](const auto& k) { return friction_of(k).has_value(); }))
+            for (const Field field : {Field::initial_half_size, Field::displacement_gradient})
+                particles.require(field);  // how near its edges are
         if (guarded(*components.integrator, "lags", [&] { return components.integrator->lags(); }))
             particles.require(Field::grid_velocity_gradient);
         for (const auto& load : components.loads)
@@ -396,6 +461,9 @@ Assembly<S> assemble(const Scene& scene, const Registry& registry) {
             particles.require(Field::initial_half_size);  // of what it has around a node
             particles.require(Field::displacement_gradient);
         }
+        components.viscosities.push_back(viscosity_of(body, patch));
+        if (components.viscosities.back()) particles.require(Field::total_stress);
+        mark_parts(components.conditions, particles, number);
         const bool exact = components.exact_solution && components.exact_solution->covers(name);
         if (exact) particles.require(Field::initial_position);
         if (exact && !is_zero(body.at("velocity")))
@@ -447,6 +515,7 @@ Assembly<S> assemble(const Scene& scene, const Registry& registry) {
                                                         fmt::join(x.data(), x.data() + S::dimension, ", ")));
             }
         });
+        fill_parts(maker, components.conditions, particles, number);
         result.bodies.push_back(std::move(particles));
         ++number;
     }
@@ -466,11 +535,15 @@ Assembly<S> assemble(const Scene& scene, const Registry& registry) {
         }
     const SceneParts<S> parts{scene.resolved,        patch,      *components.shape,
                               components.conditions, geometries, result.bodies};
-    maker.attempt("/boundary_conditions", [&] { maker.add(check_conditions(parts)); });
+    maker.attempt("/boundary_conditions", [&] {
+        maker.add(check_conditions(parts));
+        maker.add(check_parts(parts));
+    });
     maker.attempt("/bodies", [&] {
         maker.add(check_extents(parts));
         maker.add(check_overlaps(parts));
     });
+    maker.add(check_contacts<S>(parts, components.contacts));
     maker.attempt("", [&] { maker.add(check_axis(parts)); });
     maker.add(check_measured(parts, within.get()));
     maker.throw_if_errors();
@@ -486,6 +559,11 @@ Assembly<S> assemble(const Scene& scene, const Registry& registry) {
             });
         }
     maker.throw_if_errors();
+    for (Particles<S>& particles : result.bodies)
+        if (particles.has(Field::total_stress))
+            for (Index p = 0; p < particles.size(); ++p)
+                ParticleBatch<S>::store_stress(particles, p, ParticleBatch<S>::load_stress(particles, p),
+                                               Field::total_stress);
     return result;
 }
 

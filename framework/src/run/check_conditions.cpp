@@ -48,6 +48,12 @@ class Conflict {
         : parts_(parts), end_(parts.scene.at("/time/end"_json_pointer).template get<double>()) {}
 
     std::optional<std::string> on_face(const Holding& one, const Holding& other) const {
+        for (const std::size_t k : {one.condition, other.condition})
+            if (friction_of(parts_.conditions[k]))
+                return fmt::format(
+                    "\"{}\" has a condition already, {}: beside one that does not pull there is "
+                    "room for no other",
+                    face_name(one.axis, one.side), pointer_to(other.condition));
         const auto prescribed = parts_.conditions[one.condition].condition->prescribes(one.axis),
                    there = parts_.conditions[other.condition].condition->prescribes(other.axis);
         for (std::size_t c = 0; c < S::dimension; ++c)

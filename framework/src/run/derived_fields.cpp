@@ -100,7 +100,8 @@ class PlacesById {
 std::optional<Field> field_behind(const std::string& name) {
     if (name == "displacement") return Field::initial_position;
     if (name == "deformation_gradient") return Field::displacement_gradient;
-    return field_from_name(name);
+    const auto field = field_from_name(name);
+    return field == Field::total_stress ? std::nullopt : field;  // bodies have it that need it
 }
 
 template <class S>

@@ -1,11 +1,13 @@
 #pragma once
 
+#include "contact/placed_contact.hpp"
 #include "run/findings.hpp"
 #include "step/walls.hpp"
 
 #include <matpoint/shape_function.hpp>
 
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace matpoint {
@@ -25,6 +27,10 @@ struct SceneParts {
 template <class S>
 Findings check_conditions(const SceneParts<S>& parts);
 
+/// Parts of bodies whose conditions hold no node, or prescribe a component twice.
+template <class S>
+Findings check_parts(const SceneParts<S>& parts);
+
 /// Bodies that the grid cuts.
 template <class S>
 Findings check_extents(const SceneParts<S>& parts);
@@ -32,6 +38,10 @@ Findings check_extents(const SceneParts<S>& parts);
 /// Space that two bodies fill.
 template <class S>
 Findings check_overlaps(const SceneParts<S>& parts);
+
+/// Bodies that are too thin for how a contact measures gaps.
+template <class S>
+Findings check_contacts(const SceneParts<S>& parts, std::span<const PlacedContact<S>> contacts);
 
 /// Motion along the radius that an axisymmetric space can't have.
 template <class S>

@@ -183,6 +183,7 @@ void visit_tally(Tally_& t, const Visitor& visitor) {
     visitor("momentum_scale", t.momentum_scale);
     visitor("particle_speed", t.largest_speed);
     visitor("wave_speed", t.largest_wave_speed);
+    visitor("compression", t.largest_compression);
     visitor("load_acceleration", t.load_acceleration);
     for (std::size_t c = 0; c < 3; ++c) {
         visitor(fmt::format("momentum_{}", c), t.momentum[c]);

@@ -51,7 +51,7 @@ void Engine<S>::read_meeting(NodeField field) {
 /// Velocities that are read as they are, before forces or after all of them.
 template <class S>
 void Engine<S>::separate(NodeField velocity) {
-    if (!pairs_->meet()) return;
+    if (!pairs_->meet() || dt_ == 0) return;  // nothing moves without a step
     read_meeting(velocity);
     pairs_->resolve(meeting_, walls_.prescribed_components(), dt_, separation_);
     const auto& shares = pairs_->nodes().shares();

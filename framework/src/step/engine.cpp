@@ -30,6 +30,8 @@ Engine<S>::Engine(Components<S> components, std::vector<Particles<S>>& bodies, s
       patch_(components_.grid->patch()),
       ordering_(bodies.size()),
       walls_(components_.conditions),
+      unilateral_(components_.conditions),
+      held_parts_(components_.conditions),
       light_nodes_(components_.light_nodes, lowest_density<S>(components_.materials)) {
     if (!components_.loads.empty()) patch_.require(NodeField::external_force);
     for (const NodeField field : components_.integrator->node_fields()) patch_.require(field);
@@ -60,6 +62,7 @@ void Engine<S>::step(long number, double time, double dt, double last_dt) {
         for (ContactReport& report : pairs_->reports()) report.force = {};
 
     prepare();
+    unilateral_.measure(nodes_of_, bodies_, ordering_, dt);
     guarded(*components_.integrator, "step",
             [&] { components_.integrator->step(*this, static_cast<Real>(dt)); });
     if (const auto& damping = components_.damping)
@@ -76,6 +79,7 @@ void Engine<S>::prepare() {
     if (ordering_.update(patch_, bodies_, *components_.shape) || !located_) {
         make_blocks();
         walls_.locate(layers_);
+        unilateral_.locate(patch_, walls_.prescribed_components());
         inside_.resize(static_cast<std::size_t>(patch_.node_count()));
         for (int i = 0; i < static_cast<int>(patch_.node_count()); ++i)
             inside_[static_cast<std::size_t>(i)] = patch_.inside(patch_.node_coordinates(i));
@@ -106,6 +110,7 @@ void Engine<S>::scatter(const Scatter& request) {
     const Timer timer(*this, StepPhase::scatter);
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
         Scatter own = request;
+        if (bodies_[b].has(Field::total_stress)) own.stress = Field::total_stress;
         own.affine_slot = request.momentum && extends(*request.momentum)
                               ? bodies_[b].slot(*components_.transfer->affine())
                               : -1;
@@ -140,6 +145,7 @@ void Engine<S>::project(typename Phases<S>::Projection projection) {
     scatter(request);
     if (projection.velocity) {
         apply_loads();  // while mass is what the particles gave, not yet folded
+        held_parts_.hold(nodes_of_, bodies_, ordering_, *components_.shape, walls_);
         walls_.fold_mass(patch_);
         if (pairs_) meet();
         light_nodes_.locate(layers_, inside_, walls_.prescribed_components(), !components_.loads.empty());
@@ -161,6 +167,7 @@ void Engine<S>::project(typename Phases<S>::Projection projection) {
             if (pairs_) separate(NodeField::velocity);
             light_nodes_.keep_velocity(patch_);
             light_nodes_.follow_velocity(patch_, NodeField::velocity);
+            if (dt_ > 0) unilateral_.push_ahead(patch_);  // else no step follows
             walls_.fill_velocity(patch_, NodeField::velocity, ahead);
         }
     }
@@ -227,10 +234,12 @@ void Engine<S>::accelerate(Real dt, Real factor) {
         }
     });
     walls_.constrain_acceleration(patch_, velocity_from_, velocity_to_, dt_);
+    unilateral_.restore(patch_);
     light_nodes_.restore_velocity(patch_);
     if (pairs_) add_contact_forces(dt);
     act_with_tools();
     light_nodes_.follow_acceleration(patch_);
+    unilateral_.push_again(patch_, dt);
     if (components_.measures_balance) measure_balance(factor);
     if (components_.damping) damp(dt);
     for_nodes([&](Index, Index begin, Index end) {
@@ -242,6 +251,7 @@ void Engine<S>::accelerate(Real dt, Real factor) {
     });
     walls_.constrain(patch_, NodeField::velocity, velocity_to_);
     follow_light_nodes(components_.transfer->grid_share() / dt);
+    unilateral_.push(patch_, dt);
     walls_.fill_acceleration(patch_, velocity_from_, velocity_to_, dt_);
     walls_.fill_velocity(patch_, NodeField::velocity, velocity_to_);
     add_reactions(NodeField::force, NodeField::acceleration, dt_,
@@ -249,6 +259,7 @@ void Engine<S>::accelerate(Real dt, Real factor) {
     if (loaded) add_load_work(dt, factor);
     if (components_.damping) add_damping_work(dt);
     if (!components_.contacts.empty()) add_contact_work(dt);
+    if (!unilateral_.empty()) add_pushes(dt);
 }
 
 /// `share` of the velocity becomes the particles', 1/s: walls take what light nodes give to them and their
@@ -274,6 +285,19 @@ void Engine<S>::add_reactions(NodeField source, NodeField value, double share, c
     if (walls_.conditions().empty()) return;
     std::vector<typename Walls<S>::Sum> sums(walls_.conditions().size());
     walls_.reaction(patch_, source, value, mean, sums);
+    add_reactions(sums, share);
+}
+
+template <class S>
+void Engine<S>::add_pushes(Real dt) {
+    std::vector<typename Walls<S>::Sum> sums(walls_.conditions().size());
+    const double nearer = unilateral_.reaction(patch_, dt, sums);
+    add_reactions(sums, 1);
+    tally_.unbalanced_force = std::max(0.0, tally_.unbalanced_force - nearer);
+}
+
+template <class S>
+void Engine<S>::add_reactions(const std::vector<typename Walls<S>::Sum>& sums, double share) {
     for (std::size_t k = 0; k < sums.size(); ++k) {
         tally_.external_work += sums[k].power * share;
         if (sums[k].held) held_[k] = 1;
@@ -296,6 +320,7 @@ void Engine<S>::remap() {
         separation_.clear();
     }
     light_nodes_.follow_velocity(patch_, NodeField::remapped_velocity);
+    unilateral_.hold(patch_, NodeField::remapped_velocity);
     walls_.fill_velocity(patch_, NodeField::remapped_velocity, velocity_to_);
 }
 

@@ -8,8 +8,11 @@
 #include <matpoint/transfer.hpp>
 
 #include "contact/pairs.hpp"
+#include "step/artificial_viscosity.hpp"
+#include "step/held_parts.hpp"
 #include "step/light_nodes.hpp"
 #include "step/ordering.hpp"
+#include "step/unilateral.hpp"
 #include "step/walls.hpp"
 
 #include <algorithm>
@@ -27,7 +30,8 @@ struct Components {
     std::shared_ptr<ShapeFunction<S>> shape;
     std::shared_ptr<Transfer<S>> transfer;
     std::shared_ptr<Integrator<S>> integrator;
-    std::vector<std::shared_ptr<Material<S>>> materials;  ///< one per body
+    std::vector<std::shared_ptr<Material<S>>> materials;          ///< one per body
+    std::vector<std::optional<ArtificialViscosity>> viscosities;  ///< one per body, or none at all
     std::vector<std::shared_ptr<Load<S>>> loads;
     std::vector<PlacedCondition<S>> conditions;
     std::vector<PlacedContact<S>> contacts;
@@ -66,6 +70,7 @@ struct Tally {
     std::array<double, 3> impulse{};   ///< N s, of loads and boundaries in the step
     double largest_speed = 0;          ///< of a particle, m/s
     double largest_wave_speed = 0;     ///< m/s
+    double largest_compression = 0;    ///< -tr L of a particle with artificial viscosity, 1/s
     double load_acceleration = 0;      ///< m/s^2, mean size of the loads' over the mass
     std::vector<std::array<double, 3>> reactions;  ///< N, by boundary condition
     /// The first body whose stress does work though its material has no waves.
@@ -89,7 +94,7 @@ struct Partial {
     bool off_grid = false;  ///< whether one of the particles has left the grid
     double kinetic = 0, noise_energy = 0, momentum_scale = 0, strain_work = 0;
     std::array<double, 3> momentum{};
-    double largest_speed = 0, largest_wave_speed = 0;
+    double largest_speed = 0, largest_wave_speed = 0, largest_compression = 0;
     std::optional<Fault> fault{};
 };
 
@@ -219,6 +224,10 @@ class Engine final : public Phases<S> {
     /// Puts particles back that are beyond closed faces by hardly more than nothing.
     void hold_at_walls();
     void add_reactions(NodeField source, NodeField value, double share, const PathMean& mean);
+    /// What conditions gave, N s and J if `share` is 1.
+    void add_reactions(const std::vector<typename Walls<S>::Sum>& sums, double share);
+    /// What the unilateral faces have pushed with in the step.
+    void add_pushes(Real dt);
     static constexpr Index nodes_per_task = 8192;
     Index node_tasks() const { return (patch_.node_count() + nodes_per_task - 1) / nodes_per_task; }
     /// body(task, begin, end) of each task over nodes [begin, end).
@@ -230,6 +239,10 @@ class Engine final : public Phases<S> {
         });
     }
     void collect(typename Phases<S>::Update what);
+    const ArtificialViscosity* viscosity(std::size_t body) const {
+        const auto& all = components_.viscosities;
+        return body < all.size() && all[body] ? &*all[body] : nullptr;
+    }
     void find_stiff_without_waves();
 
     Components<S> components_;
@@ -238,6 +251,8 @@ class Engine final : public Phases<S> {
     Patch<S>& patch_;
     Ordering<S> ordering_;
     Walls<S> walls_;
+    UnilateralFaces<S> unilateral_;
+    HeldParts<S> held_parts_;
     LightNodes<S> light_nodes_;
     std::vector<Patch<S>> further_layers_;
     std::vector<Patch<S>*> layers_, nodes_of_;                    ///< of the nodes: all, and by body

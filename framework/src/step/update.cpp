@@ -22,7 +22,7 @@ class Engine<S>::BatchUpdate final : public GatherSink<S> {
 
     BatchUpdate(const Patch<S>& patch, Particles<S>& particles, std::size_t body, const Material<S>& material,
                 int first_state, const Transfer<S>& transfer, typename Phases<S>::Update what, Real dt,
-                Partial& sums)
+                const ArtificialViscosity* viscosity, double last_compression, Partial& sums)
         : room_(domain(patch)),
           particles_(particles),
           body_(body),
@@ -31,6 +31,8 @@ class Engine<S>::BatchUpdate final : public GatherSink<S> {
           transfer_(transfer),
           what_(what),
           dt_(dt),
+          viscosity_(viscosity),
+          last_compression_(last_compression),
           sums_(sums) {
         sums_.body = body;
     }
@@ -44,9 +46,9 @@ class Engine<S>::BatchUpdate final : public GatherSink<S> {
         }
         if (what_.position) move(batch);
         if (!what_.stress) return;
-        if (!particles_.has(Field::grid_velocity_gradient)) return strain(batch);
+        if (!particles_.has(Field::grid_velocity_gradient)) return strain_with_viscosity(batch);
         take_lag(batch);
-        strain(ParticleBatch<S>(particles_, begin, begin + count, lagged_, first_state_));
+        strain_with_viscosity(ParticleBatch<S>(particles_, begin, begin + count, lagged_, first_state_));
     }
 
     MATPOINT_FLATTEN void add_motion(const ParticleBatch<S>& batch) {
@@ -132,6 +134,44 @@ class Engine<S>::BatchUpdate final : public GatherSink<S> {
         }
     }
 
+    void strain_with_viscosity(const ParticleBatch<S>& batch) {
+        if (!viscosity_) {
+            strain(batch);
+            return;
+        }
+        double power = viscous_power(batch, Real(0));
+        compress(batch, static_cast<double>(strain(batch)));
+        power += viscous_power(batch, dt_);
+        sums_.strain_work += power * static_cast<double>(dt_) / 2;
+    }
+    /// The new artificial pressure; it is no part of the material's state.
+    void compress(const ParticleBatch<S>& batch, double wave_speed) {
+        for (Index p = batch.begin(); p < batch.end(); ++p) {
+            const Tensor<S> gradient = batch.velocity_gradient(p);
+            const ArtificialViscosity::State state{static_cast<double>(batch.density(p)), wave_speed,
+                                                   std::max(0.0, -static_cast<double>(trace(gradient))),
+                                                   last_compression_};
+            const double pressure = viscosity_->pressure(state);
+            sums_.largest_compression = std::max(sums_.largest_compression, state.compression);
+            sums_.largest_wave_speed = std::max(sums_.largest_wave_speed, viscosity_->speed(state, pressure));
+            ParticleBatch<S>::store_stress(
+                particles_, p, batch.stress(p) - static_cast<Real>(pressure) * Tensor<S>::identity(),
+                Field::total_stress);
+        }
+    }
+    /// W, that of the artificial pressure, by the gradient at the end of a step of length dt.
+    double viscous_power(const ParticleBatch<S>& batch, Real dt) const {
+        double power = 0;
+        for (Index p = batch.begin(); p < batch.end(); ++p) {
+            const Tensor<S> gradient = batch.velocity_gradient(p);
+            const Tensor<S> beside =
+                ParticleBatch<S>::load_stress(particles_, p, Field::total_stress) - batch.stress(p);
+            power += static_cast<double>(batch.volume(p)) *
+                     static_cast<double>(contract(beside, gradient - dt * (gradient * gradient)));
+        }
+        return power;
+    }
+
     static Wide wide(Number a) { return a.template as<double>(); }
     /// Sums over the particles of a batch, in an order that does not depend on how many lanes there are.
     class LaneSums {
@@ -149,8 +189,8 @@ class Engine<S>::BatchUpdate final : public GatherSink<S> {
     /// F = (I + L dt) F, V = det(I + L dt) V, then the stress [Wallstedt & Guilkey 2008, eq. 11-13]; in terms
     /// of H = F - I, and of what V grows by, which keep what is small beside 1. The stress's work is that of
     /// V sigma : L before and after, of second order in dt. At the end of the step the same velocities have
-    /// the gradient L (I + L dt)^-1, for which L - dt L^2 is enough.
-    MATPOINT_FLATTEN void strain(const ParticleBatch<S>& batch) {
+    /// the gradient L (I + L dt)^-1, for which L - dt L^2 is enough. Returns the wave speed, m/s.
+    MATPOINT_FLATTEN Real strain(const ParticleBatch<S>& batch) {
         const bool deforms = particles_.has(Field::displacement_gradient);
         const bool keeps_gradient = particles_.has(Field::velocity_gradient);
         LaneSums power;  // W
@@ -176,7 +216,8 @@ class Engine<S>::BatchUpdate final : public GatherSink<S> {
                 for (int c = 0; c < S::dimension * S::dimension; ++c)
                     p.store(Field::velocity_gradient, c, gradient.plane.data()[c]);
         });
-        add_wave_speed(batch, guarded(material_, "update", [&] { return material_.update(batch, dt_); }));
+        const Real wave_speed = guarded(material_, "update", [&] { return material_.update(batch, dt_); });
+        add_wave_speed(batch, wave_speed);
         visit_packs(batch, [&](const auto& p) {
             const Tensor<S, Number> gradient = p.velocity_gradient();
             power.add(p,
@@ -184,6 +225,7 @@ class Engine<S>::BatchUpdate final : public GatherSink<S> {
         });
         sums_.strain_work += power.total() * static_cast<double>(dt_) / 2;
         if (!std::isfinite(power.total())) report_not_finite(batch, Field::stress);
+        return wave_speed;
     }
 
     template <class Point>
@@ -236,6 +278,8 @@ class Engine<S>::BatchUpdate final : public GatherSink<S> {
     const Transfer<S>& transfer_;
     typename Phases<S>::Update what_;
     Real dt_;
+    const ArtificialViscosity* viscosity_;  ///< null: none
+    double last_compression_;               ///< Tally::largest_compression of the last step, 1/s
     Partial& sums_;
     Gathered<S> lagged_;  ///< of integrators that lag
 };
@@ -261,7 +305,8 @@ void Engine<S>::update(typename Phases<S>::Update what, Real dt) {
         parallel_for(static_cast<Index>(ranges.size()), bodies_[b].size(), [&](Index r) {
             const BlockRange& range = ranges[static_cast<std::size_t>(r)];
             BatchUpdate sink(patch_, bodies_[b], b, *components_.materials[b], first_states_[b], transfer,
-                             what, dt, partials_[first + static_cast<std::size_t>(r)]);
+                             what, dt, viscosity(b), tally_.largest_compression,
+                             partials_[first + static_cast<std::size_t>(r)]);
             guarded(*components_.shape, "gather", [&] {
                 components_.shape->gather(*nodes_of_[b], bodies_[b], range.begin, range.end, request, sink);
             });
@@ -291,7 +336,7 @@ void Engine<S>::measure() {
     partials_.assign(bodies_.size(), {});
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
         BatchUpdate sums(patch_, bodies_[b], b, *components_.materials[b], first_states_[b],
-                         *components_.transfer, {}, Real(0), partials_[b]);
+                         *components_.transfer, {}, Real(0), nullptr, 0, partials_[b]);
         for (Index begin = 0; begin < bodies_[b].size(); begin += batch_size) {
             const ParticleBatch<S> batch(bodies_[b], begin, std::min(bodies_[b].size(), begin + batch_size),
                                          nothing, first_states_[b]);
@@ -334,7 +379,7 @@ void Engine<S>::collect(typename Phases<S>::Update what) {
         tally_.momentum = {};
     }
     if (stress) {
-        tally_.largest_wave_speed = 0;
+        tally_.largest_wave_speed = tally_.largest_compression = 0;
         find_stiff_without_waves();
     }
     for (const Partial& part : partials_) {
@@ -349,6 +394,7 @@ void Engine<S>::collect(typename Phases<S>::Update what) {
         if (stress) {
             tally_.strain_work += part.strain_work;
             tally_.largest_wave_speed = std::max(tally_.largest_wave_speed, part.largest_wave_speed);
+            tally_.largest_compression = std::max(tally_.largest_compression, part.largest_compression);
         }
         if (part.fault) faults_.push_back(*part.fault);
     }

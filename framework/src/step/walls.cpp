@@ -15,10 +15,14 @@ Walls<S>::Walls(std::vector<PlacedCondition<S>> conditions)
     : conditions_(std::move(conditions)), carries_(conditions_.size(), Vector(Vector::Zero())) {
     for (int axis = 0; axis < S::dimension; ++axis)
         for (int side = 0; side < 2; ++side) {
-            Face face{axis, side, {}, false, {}};
+            Face face{axis, side, {}, false, false, {}};
             face.condition.fill(-1);
             for (std::size_t k = 0; k < conditions_.size(); ++k) {
                 if (!holds_on(conditions_[k], axis, side)) continue;
+                if (friction_of(conditions_[k])) {
+                    face.unilateral = true;
+                    continue;
+                }
                 face.wall = true;
                 const auto prescribes = prescribed(k, axis);
                 for (std::size_t c = 0; c < S::dimension; ++c)
@@ -28,7 +32,7 @@ Walls<S>::Walls(std::vector<PlacedCondition<S>> conditions)
             faces_.push_back(std::move(face));
         }
     for (std::size_t k = 0; k < conditions_.size(); ++k)
-        if (conditions_[k].region) carry(k, prescribed(k, -1));
+        if (conditions_[k].faces.empty()) carry(k, prescribed(k, -1));
 }
 
 template <class S>
@@ -93,6 +97,26 @@ void Walls<S>::locate(std::span<Patch<S>* const> layers) {
             prescribed_components_[static_cast<std::size_t>(index)] |= static_cast<unsigned char>(1 << c);
         }
     }
+    located_ = prescribed_.size();
+}
+
+template <class S>
+void Walls<S>::hold_node(const Patch<S>& patch, int node, std::size_t condition) {
+    const auto prescribes = prescribed(condition, -1);
+    unsigned char& held = prescribed_components_[static_cast<std::size_t>(node)];
+    for (int c = 0; c < S::dimension; ++c) {
+        if (!prescribes[static_cast<std::size_t>(c)] || (held >> c & 1) != 0) continue;
+        prescribed_.push_back(
+            {node, c, static_cast<int>(condition), patch.node_position(patch.node_coordinates(node))});
+        held |= static_cast<unsigned char>(1 << c);
+    }
+}
+
+template <class S>
+void Walls<S>::let_go() {
+    for (; prescribed_.size() > located_; prescribed_.pop_back())
+        prescribed_components_[static_cast<std::size_t>(prescribed_.back().node)] &=
+            static_cast<unsigned char>(~(1 << prescribed_.back().component));
 }
 
 template <class S>
@@ -270,6 +294,7 @@ std::optional<Exit> Walls<S>::exit(const Face& face, const Patch<S>& patch, cons
     if (!(distance > 0)) return {};
     Exit exit{face_name(face.axis, face.side), distance * patch.inverse_cell_size()[face.axis],
               Exit::Through::open};
+    if (face.unilateral) exit.through = Exit::Through::closed;
     if (const int condition = face.condition[static_cast<std::size_t>(face.axis)]; condition >= 0)
         exit.through = inwards * static_cast<double>(velocity(condition, x, {time})[face.axis]) < 0
                            ? Exit::Through::outflow

@@ -15,13 +15,21 @@
 
 namespace matpoint {
 
+/// Particles of a body that carry a condition with them.
+struct BodyPart {
+    std::size_t body;                  ///< its number
+    std::shared_ptr<Geometry> within;  ///< at the start; null: the whole body
+    int slot = -1;                     ///< of the particle field that is 1 there
+};
+
 /// A boundary condition and where it holds.
 template <class S>
 struct PlacedCondition {
     std::string name;
     std::shared_ptr<BoundaryCondition<S>> condition;
-    std::vector<std::string> faces;  ///< "x_min", …; empty if it holds in a region
+    std::vector<std::string> faces;  ///< "x_min", …; empty if it holds elsewhere
     std::shared_ptr<Geometry> region;
+    std::optional<BodyPart> part{};
 };
 
 /// What a prescribed velocity is asked for: the mean over the path of the material at a node, as the field at
@@ -42,6 +50,11 @@ template <class S>
 bool holds_on(const PlacedCondition<S>& placed, int axis, int side) {
     return std::ranges::find(placed.faces, face_name(axis, side)) != placed.faces.end();
 }
+/// Of a condition on faces that push and rub but do not pull.
+template <class S>
+std::optional<double> friction_of(const PlacedCondition<S>& placed) {
+    return guarded(*placed.condition, "friction", [&] { return placed.condition->friction(); });
+}
 /// How a particle that is beyond a face of the grid got there.
 struct Exit {
     std::string face;  ///< "x_min", …
@@ -55,7 +68,8 @@ struct Exit {
 /// nodes within, fill() gives ghosts the values that particles read:
 /// - a wall (a face with a boundary condition) mirrors: prescribed components of velocity are odd
 ///   about the prescribed velocity, the others even, as if a mirrored body lay behind;
-/// - an open face extrapolates, v_-1 = 2 v_0 - v_1, which turns any basis into one that is
+/// - an open face, and one that is unilateral, extrapolates, v_-1 = 2 v_0 - v_1, which turns any basis into
+/// one that is
 ///   interpolatory at the face and still reproduces linear functions.
 /// fold() is the transpose of fill(), so momentum and energy balance to rounding.
 template <class S>
@@ -69,6 +83,10 @@ class Walls {
 
     /// Finds the nodes concerned among those that exist, in each of the layers.
     void locate(std::span<Patch<S>* const> layers);
+    /// Holds a node, with what a condition prescribes away from faces, beside what holds there already; until
+    /// all nodes held so are let go.
+    void hold_node(const Patch<S>& patch, int node, std::size_t condition);
+    void let_go();
 
     void fold_mass(Patch<S>& patch) const;
     /// Folds momentum, which holds mass times velocity at `mean`. Call after fold_mass.
@@ -121,6 +139,7 @@ class Walls {
         int side;                                 ///< 0: lower, 1: upper
         std::array<int, S::dimension> condition;  ///< index into conditions_ by component; -1: free
         bool wall = false;
+        bool unilateral = false;  ///< open, but closed to particles
         std::vector<Link> links;
         /// Where particles stop, along the axis.
         double place(const Patch<S>& patch) const {
@@ -149,6 +168,7 @@ class Walls {
     std::vector<Vector> carries_;  ///< by condition: 1 for components that it prescribes, 0 for the others
     std::vector<Face> faces_;      ///< by axis, lower before upper
     std::vector<Prescribed> prescribed_;
+    std::size_t located_ = 0;  ///< how many of them stay where they are on the grid
     std::vector<unsigned char> prescribed_components_;
 };
 

@@ -19,7 +19,7 @@ class Slip final : public BoundaryCondition<S> {
         Schema schema("The component of velocity normal to the wall is zero, the others are free",
                       "[Chen & Brannon 2002, sec. 2]");
         schema
-            .choice("axis", {.doc = "In a region: the axis whose component is zero",
+            .choice("axis", {.doc = "In a region or for a part of a body: the axis whose component is zero",
                              .optional = true,
                              .choices = {"x", "y", "z"}})
             .refuse("/axis", "a region has no normal: say which component is zero",
