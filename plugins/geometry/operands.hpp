@@ -43,6 +43,12 @@ class Operand {
     std::vector<double> breaks(int axis) const {
         return guarded(*geometry_, "breaks", [&] { return geometry_->breaks(axis); });
     }
+    Eigen::Vector3d anchor() const {
+        return guarded(*geometry_, "anchor", [&] { return geometry_->anchor(); });
+    }
+    SignedDistance signed_distance(const Eigen::Vector3d& point) const {
+        return guarded(*geometry_, "signed_distance", [&] { return geometry_->signed_distance(point); });
+    }
 
   private:
     std::shared_ptr<Geometry> geometry_;
@@ -58,6 +64,10 @@ inline std::vector<Operand> make_operands(const Parameters& parameters) {
         operands.emplace_back(geometry);
     }
     return operands;
+}
+
+inline bool by_distance(const SignedDistance& a, const SignedDistance& b) {
+    return a.distance < b.distance;
 }
 
 /// What is in both of two lists of intervals.

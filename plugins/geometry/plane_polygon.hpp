@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -46,6 +48,10 @@ class PlanePolygon {
         }
         refuse_degenerate();
         make_strips();
+        double twice_area = 0;
+        for (std::size_t i = 0; i < vertices_.size(); ++i)
+            twice_area += turn(vertices_[0], begin_of(i), end_of(i));
+        turn_ = twice_area > 0 ? 1 : -1;
     }
 
     const Point& min() const { return min_; }
@@ -68,6 +74,28 @@ class PlanePolygon {
         return strip &&
                std::ranges::count_if(strip->edges, [&](const Edge& edge) { return edge.u_at(v) <= u; }) % 2 ==
                    1;
+    }
+
+    /// Distance from the nearest edge, negative inside, and its gradient.
+    std::pair<double, Point> signed_distance(const Point& point) const {
+        std::size_t nearest = 0;
+        double least = std::numeric_limits<double>::infinity(), part = 0;
+        for (std::size_t i = 0; i < vertices_.size(); ++i) {
+            const Point along = end_of(i) - begin_of(i);
+            const double at = part_along(point, begin_of(i), end_of(i));
+            const double square = (point - begin_of(i) - at * along).squaredNorm();
+            if (square < least) std::tie(least, nearest, part) = std::tuple(square, i, at);
+        }
+        if (part > 0 && part < 1) {
+            const Point normal = normal_of(nearest);
+            return {normal.dot(point - begin_of(nearest)), normal};
+        }
+        // Beyond the ends of both edges at a corner: outside if it is convex, and inside if it is not.
+        const std::size_t before = part > 0 ? nearest : (nearest + vertices_.size() - 1) % vertices_.size();
+        const Point middle = normal_of(before) + normal_of((before + 1) % vertices_.size());
+        const Point away = point - end_of(before);
+        const double distance = std::copysign(away.norm(), middle.dot(away));
+        return {distance, distance != 0 ? Point(away / distance) : middle.normalized()};
     }
 
     /// Coordinates of the vertices along an axis of the plane.
@@ -124,10 +152,19 @@ class PlanePolygon {
             });
     }
 
-    static double distance(const Point& point, const Point& begin, const Point& end) {
+    /// Unit vector across an edge, out of the polygon.
+    Point normal_of(std::size_t edge) const {
+        const Point along = end_of(edge) - begin_of(edge);
+        return turn_ * Point(along[1], -along[0]).normalized();
+    }
+
+    /// Where on an edge it is nearest to a point, from 0 to 1.
+    static double part_along(const Point& point, const Point& begin, const Point& end) {
         const Point along = end - begin;
-        const double part = std::clamp(along.dot(point - begin) / along.squaredNorm(), 0.0, 1.0);
-        return (point - begin - part * along).norm();
+        return std::clamp(along.dot(point - begin) / along.squaredNorm(), 0.0, 1.0);
+    }
+    static double distance(const Point& point, const Point& begin, const Point& end) {
+        return (point - begin - part_along(point, begin, end) * (end - begin)).norm();
     }
 
     static double turn(const Point& a, const Point& b, const Point& c) {
@@ -180,6 +217,7 @@ class PlanePolygon {
     }
 
     std::vector<Point> vertices_;
+    double turn_ = 1;  ///< 1: counterclockwise, -1: clockwise
     Point min_, max_;
     std::vector<Strip> strips_;  ///< ascending
 };

@@ -182,6 +182,47 @@ TEST_F(GeometryStl, AnOpenBowlIsRefusedWithItsOpenEdges) {
     EXPECT_SAYS(error_of_stl(binary(octahedron)), "its 7 triangles, 3 border on a hole and 0 join faces");
 }
 
+// Corners, edges and faces are the nearest place in turns.
+TEST_F(GeometryStl, DistanceIsThatOfTheBox) {
+    Mesh mesh = cube();
+    for (std::size_t t = 0; t < mesh.size(); t += 3) std::swap(mesh[t][0], mesh[t][1]);
+    const auto from_mesh = make_stl(binary(mesh));
+    const auto box = make({{"type", "box"}, {"min", {0, 0, 0}}, {"max", {1, 1, 1}}});
+    for (int k = 0; k < 17 * 17 * 17; ++k) {
+        const Eigen::Vector3d x(k % 17 * 0.11 - 0.4, k / 17 % 17 * 0.112 - 0.41, k / 289 * 0.114 - 0.42);
+        const SignedDistance found = from_mesh->signed_distance(x), expected = box->signed_distance(x);
+        EXPECT_NEAR(found.distance, expected.distance, 1e-14) << x.transpose();
+        EXPECT_NEAR((found.normal - expected.normal).norm(), 0, 1e-13) << x.transpose();
+    }
+}
+
+// Of a shell: all triangles, one by one, by many points on each; the inside by contains().
+TEST_F(GeometryStl, DistanceIsThatOfTheNearestTriangle) {
+    Mesh mesh = sphere(2);
+    for (const auto& [a, b, c] : sphere(1)) mesh.push_back({0.5f * a, 0.5f * b, 0.5f * c});
+    const auto shell = make_stl(binary(mesh));
+    constexpr int n = 24;
+    for (int k = 0; k < 6 * 6 * 6; ++k) {
+        const Eigen::Vector3d x(k % 6 * 0.5 - 1.23, k / 6 % 6 * 0.5 - 1.24, k / 36 * 0.5 - 1.26);
+        double least = 10;
+        for (const auto& [a, b, c] : mesh)
+            for (int i = 0; i <= n; ++i)
+                for (int j = 0; i + j <= n; ++j) {
+                    const Eigen::Vector3d y =
+                        (i * a.cast<double>() + j * b.cast<double>() + (n - i - j) * c.cast<double>()) / n;
+                    least = std::min(least, (x - y).norm());
+                }
+        const auto [distance, normal] = shell->signed_distance(x);
+        const double spacing = 0.8 / n;  // of the points on the longest edge
+        EXPECT_LE(std::abs(distance), least + 1e-12) << x.transpose();
+        EXPECT_GE(std::abs(distance), std::sqrt(std::max(0.0, least * least - spacing * spacing)))
+            << x.transpose();
+        EXPECT_EQ(distance < 0, shell->contains(x)) << x.transpose();
+        EXPECT_NEAR(normal.norm(), 1, 1e-12);
+        EXPECT_NEAR(shell->signed_distance(x - distance * normal).distance, 0, 1e-12) << x.transpose();
+    }
+}
+
 TEST_F(GeometryStl, DegenerateTrianglesAreIgnored) {
     Mesh mesh = cube();
     mesh.push_back({Corner(0, 0, 0), Corner(0, 0, 0), Corner(5, 5, 5)});

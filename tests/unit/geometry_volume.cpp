@@ -67,7 +67,18 @@ TEST_F(GeometryVolume, LinesAgreeWithPoints) {
                        {"axis", axis},
                        {"from", 0.2},
                        {"to", 0.7}});
+    const Json half = {{"type", "half_space"}, {"point", {0.5, 0.4, 0.6}}, {"normal", {1, -2, 0.5}}};
+    all.push_back(half);
+    all.push_back({{"type", "half_space"}, {"point", {0.5, 0.4, 0.6}}, {"normal", {0, -2, 0.5}}});
+    all.push_back({{"type", "wedge"},
+                   {"tip", {0.5, 0.4, 0.6}},
+                   {"half_angle", 40},
+                   {"direction", {0, 1, 2}},
+                   {"edge", {1, 2, -1}}});
+    all.push_back(
+        {{"type", "cone"}, {"tip", {0.5, 0.2, 0.6}}, {"half_angle", 40}, {"direction", {0.2, 1, -0.3}}});
     for (const char* type : {"union", "intersection", "difference"}) {
+        all.push_back({{"type", type}, {"of", {half, box}}});
         all.push_back({{"type", type}, {"of", {ball, box}}});
         all.push_back({{"type", type}, {"of", {oblique, all.back(), ball}}});
     }

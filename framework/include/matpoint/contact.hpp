@@ -122,6 +122,9 @@ class Tool : public Contact<S> {
     /// Its numbers for checkpoints, by name: saved, and set again.
     virtual std::map<std::string, double> state() const { return {}; }
     virtual void restore(const std::map<std::string, double>&) {}
+    /// Called once after seeding (not at a restart). Throws std::invalid_argument if it can't begin with
+    /// these bodies; what it returns are warnings.
+    virtual std::vector<std::string> start(const Patch<S>&, std::span<Particles<S>>) { return {}; }
 };
 
 }  // namespace matpoint

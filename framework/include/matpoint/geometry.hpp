@@ -34,6 +34,12 @@ struct Interval {
 };
 using Intervals = std::vector<Interval>;
 
+/// Where a point is from a surface.
+struct SignedDistance {
+    double distance;         ///< m, negative inside
+    Eigen::Vector3d normal;  ///< its gradient: a unit vector that points outwards
+};
+
 /// A region of space; coordinates that the scene's space lacks are zero.
 class Geometry : public Component {
   public:
@@ -58,6 +64,12 @@ class Geometry : public Component {
     virtual std::vector<double> breaks(int axis) const { return {bounds().min[axis], bounds().max[axis]}; }
     /// Set if the geometry is a list of particles rather than a region to fill.
     virtual const PointCloud* points() const { return nullptr; }
+    /// Distance from the surface, by which a rigid tool has its contact. It may fall short where surfaces of
+    /// operands were combined, but changes by no more than a point moves. By default it throws
+    /// std::invalid_argument: single points have no surface. Called from several threads.
+    virtual SignedDistance signed_distance(const Eigen::Vector3d& point) const;
+    /// What stands for where it is, m.
+    virtual Eigen::Vector3d anchor() const { return (bounds().min + bounds().max) / 2; }
 };
 
 }  // namespace matpoint

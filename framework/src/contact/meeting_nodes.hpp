@@ -3,8 +3,7 @@
 #include <matpoint/grid.hpp>
 #include <matpoint/particles.hpp>
 #include <matpoint/shape_function.hpp>
-
-#include "contact/spline.hpp"
+#include <matpoint/spline.hpp>
 
 #include <array>
 #include <span>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace matpoint {
 
@@ -77,6 +78,12 @@ std::vector<Intervals> Geometry::along_x(std::span<const Eigen::Vector2d> lines,
         search(*this, lines.subspan(first, size), within, count, std::span(found).subspan(first, size));
     }
     return found;
+}
+
+SignedDistance Geometry::signed_distance(const Eigen::Vector3d&) const {
+    throw std::invalid_argument(
+        "this geometry tells no distance from its surface, as a tool must: take one with a surface, such as "
+        "\"box\", \"sphere\", \"wedge\" or \"stl\"");
 }
 
 }  // namespace matpoint

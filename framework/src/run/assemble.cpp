@@ -371,6 +371,26 @@ void count_memory(const Particles<S>& particles, const Patch<S>& patch, const Ge
     memory.add(particles.body(), count, bytes);
 }
 
+/// Bodies of geometries that go on for ever.
+template <class S>
+void refuse_endless(Maker& maker, const std::vector<std::shared_ptr<Geometry>>& geometries) {
+    std::size_t number = 0;
+    for (const auto& [name, unused] : maker.json("/bodies").items()) {
+        const std::string pointer = join_pointer("/bodies", name) + "/geometry";
+        if (const Geometry* const geometry = geometries[number++].get())
+            maker.attempt(pointer, *geometry, "bounds", [&] {
+                const auto [min, max] = geometry->bounds();
+                for (int a = 0; a < S::dimension; ++a)
+                    if (!std::isfinite(min[a]) || !std::isfinite(max[a]))
+                        throw std::invalid_argument(fmt::format(
+                            "a body ends somewhere, but this geometry has no end along {}: cut a part out of "
+                            "it, "
+                            "{{\"type\": \"intersection\", \"of\": [it, {{\"type\": \"box\", ...}}]}}",
+                            "xyz"[a]));
+            });
+    }
+}
+
 template <class S>
 Assembly<S> assemble_with(const Scene& scene, const Registry& registry) {
     Maker maker(scene, registry);
@@ -405,6 +425,7 @@ Assembly<S> assemble_with(const Scene& scene, const Registry& registry) {
     std::vector<std::shared_ptr<Geometry>> geometries;
     for (const auto& [name, unused] : scene.resolved.at("bodies").items())
         geometries.push_back(maker.make<Geometry>("geometry", join_pointer("/bodies", name) + "/geometry"));
+    refuse_endless<S>(maker, geometries);
     maker.throw_if_errors();
 
     Patch<S>& patch = components.grid->patch();
@@ -503,6 +524,14 @@ Assembly<S> assemble_with(const Scene& scene, const Registry& registry) {
         maker.attempt("/loads/" + std::to_string(k), [&] {
             guarded(*components.loads[k], "start", [&] { components.loads[k]->start(patch, result.bodies); });
         });
+    for (std::size_t k = 0; k < components.contacts.size(); ++k)
+        if (Tool<S>* const tool = components.contacts[k].contact->tool()) {
+            const std::string pointer = "/contacts/" + std::to_string(k);
+            maker.attempt(pointer, *tool, "start", [&] {
+                for (const std::string& warning : tool->start(patch, result.bodies))
+                    maker.add({{false, pointer, warning}});
+            });
+        }
     const SceneParts<S> parts{scene.resolved,        patch,      *components.shape,
                               components.conditions, geometries, result.bodies};
     maker.attempt("/boundary_conditions", [&] {

@@ -1,4 +1,5 @@
-#include <matpoint/geometry.hpp>
+#include "../box_distance.hpp"
+
 #include <matpoint/plugin.hpp>
 
 using namespace matpoint;
@@ -37,6 +38,10 @@ class Box final : public Geometry {
         for (std::size_t i = 0; i < lines.size(); ++i)
             if (contains({min_[0], lines[i][0], lines[i][1]})) found[i] = {{min_[0], max_[0]}};
         return found;
+    }
+
+    SignedDistance signed_distance(const Eigen::Vector3d& point) const override {
+        return box_distance(point, min_, max_, dimension_);
     }
 
   private:

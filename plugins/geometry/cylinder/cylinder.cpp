@@ -1,4 +1,5 @@
-#include <matpoint/geometry.hpp>
+#include "../box_distance.hpp"
+
 #include <matpoint/plugin.hpp>
 
 #include <Eigen/Geometry>
@@ -70,6 +71,19 @@ class Cylinder final : public Geometry {
             for (const Eigen::Vector3d& end : {start_, end_})
                 for (const double side : {-1, 1}) all.push_back(end[axis] + side * reach_of(radius)[axis]);
         return all;
+    }
+
+    /// In the half plane through the axis its section is a rectangle.
+    SignedDistance signed_distance(const Eigen::Vector3d& point) const override {
+        const Eigen::Vector3d from_start = point - start_;
+        const double along = axis_.dot(from_start);
+        const Eigen::Vector3d across = from_start - along * axis_;
+        const double away = across.norm();
+        const auto [distance, normal] =
+            box_distance({away, along, 0}, {inner_radius_ > 0 ? inner_radius_ : -infinity, 0, 0},
+                         {radius_, length_, 0}, 2);
+        const Eigen::Vector3d outward = away > 0 ? Eigen::Vector3d(across / away) : axis_.unitOrthogonal();
+        return {distance, normal[0] * outward + normal[1] * axis_};
     }
 
   private:

@@ -40,6 +40,19 @@ class Difference final : public Geometry {
 
     std::vector<double> breaks(int axis) const override { return breaks_of(of_, axis); }
 
+    Eigen::Vector3d anchor() const override {
+        return bounds().min.allFinite() && bounds().max.allFinite() ? Geometry::anchor() : of_[0].anchor();
+    }
+
+    SignedDistance signed_distance(const Eigen::Vector3d& point) const override {
+        SignedDistance most = of_[0].signed_distance(point);
+        for (std::size_t g = 1; g < of_.size(); ++g) {
+            const auto [distance, normal] = of_[g].signed_distance(point);
+            most = std::max(most, {-distance, -normal}, by_distance);
+        }
+        return most;
+    }
+
   private:
     std::vector<Operand> of_;
 };

@@ -1,3 +1,4 @@
+#include "../box_distance.hpp"
 #include "../plane_polygon.hpp"
 
 #include <matpoint/plugin.hpp>
@@ -57,6 +58,15 @@ class Extrusion final : public Geometry {
         if (axis == axis_) return {from_, to_};
         const int of_section = axis == u_ ? 0 : 1;
         return axis_ == 0 ? section_.flat_edges(of_section) : section_.corners(of_section);
+    }
+
+    /// Over the distance from its section and the coordinate along the axis it is a half strip.
+    SignedDistance signed_distance(const Eigen::Vector3d& point) const override {
+        const auto [from_section, across] = section_.signed_distance({point[u_], point[v_]});
+        const auto [distance, normal] =
+            box_distance({from_section, point[axis_], 0},
+                         {-std::numeric_limits<double>::infinity(), from_, 0}, {0, to_, 0}, 2);
+        return {distance, place(normal[1], normal[0] * across[0], normal[0] * across[1])};
     }
 
   private:

@@ -44,6 +44,17 @@ class Intersection final : public Geometry {
 
     std::vector<double> breaks(int axis) const override { return breaks_of(of_, axis); }
 
+    Eigen::Vector3d anchor() const override {
+        return bounds().min.allFinite() && bounds().max.allFinite() ? Geometry::anchor() : of_[0].anchor();
+    }
+
+    SignedDistance signed_distance(const Eigen::Vector3d& point) const override {
+        SignedDistance most = of_[0].signed_distance(point);
+        for (std::size_t g = 1; g < of_.size(); ++g)
+            most = std::max(most, of_[g].signed_distance(point), by_distance);
+        return most;
+    }
+
   private:
     std::vector<Operand> of_;
 };

@@ -31,6 +31,11 @@ class Polygon final : public Geometry {
         return axis < 2 ? plane_.corners(axis) : std::vector<double>{0, 0};
     }
 
+    SignedDistance signed_distance(const Eigen::Vector3d& point) const override {
+        const auto [distance, normal] = plane_.signed_distance(point.head<2>());
+        return {distance, {normal[0], normal[1], 0}};
+    }
+
   private:
     PlanePolygon plane_;
 };

@@ -32,6 +32,12 @@ class Sphere final : public Geometry {
         return found;
     }
 
+    SignedDistance signed_distance(const Eigen::Vector3d& point) const override {
+        const Eigen::Vector3d from_center = point - center_;
+        const double away = from_center.norm();
+        return {away - radius_, away > 0 ? Eigen::Vector3d(from_center / away) : Eigen::Vector3d(1, 0, 0)};
+    }
+
   private:
     Eigen::Vector3d center_;  // m
     double radius_;           // m

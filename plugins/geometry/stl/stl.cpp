@@ -1,3 +1,4 @@
+#include "mesh_distance.hpp"
 #include "stl_file.hpp"
 #include "triangle_mesh.hpp"
 
@@ -5,6 +6,8 @@
 #include <matpoint/plugin.hpp>
 
 #include <algorithm>
+#include <memory>
+#include <mutex>
 #include <stdexcept>
 
 using namespace matpoint;
@@ -51,6 +54,12 @@ class Stl final : public Geometry {
 
     std::vector<double> breaks(int axis) const override { return mesh_.flat_faces(axis); }
 
+    /// What it takes is made for the first who asks: bodies don't.
+    SignedDistance signed_distance(const Eigen::Vector3d& point) const override {
+        std::call_once(distance_is_made_, [this] { distance_ = std::make_unique<MeshDistance>(mesh_); });
+        return (*distance_)(point);
+    }
+
   private:
     static TriangleMesh read_mesh(const Parameters& parameters) {
         const std::vector<Triangle> read = read_stl_file(parameters.file("file"));
@@ -87,6 +96,8 @@ class Stl final : public Geometry {
     }
 
     TriangleMesh mesh_;
+    mutable std::once_flag distance_is_made_;
+    mutable std::unique_ptr<const MeshDistance> distance_;
 };
 
 MATPOINT_PLUGIN("stl", "1.0.0") {

@@ -151,25 +151,30 @@ TriangleMesh::TriangleMesh(std::vector<Triangle> triangles) : triangles_(std::mo
     count_edges();
 }
 
-void TriangleMesh::count_edges() {
+std::vector<std::array<std::size_t, 3>> TriangleMesh::corner_numbers() const {
     std::vector<Eigen::Vector3d> corners;
     for (const Triangle& triangle : triangles_)
         corners.insert(corners.end(), triangle.begin(), triangle.end());
     std::sort(corners.begin(), corners.end(), lexicographically_less);
     corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-    const auto number = [&](const Eigen::Vector3d& corner) {
-        return std::lower_bound(corners.begin(), corners.end(), corner, lexicographically_less) -
-               corners.begin();
-    };
+    std::vector<std::array<std::size_t, 3>> numbers(triangles_.size());
+    for (std::size_t t = 0; t < triangles_.size(); ++t)
+        for (std::size_t i = 0; i < 3; ++i)
+            numbers[t][i] = static_cast<std::size_t>(
+                std::lower_bound(corners.begin(), corners.end(), triangles_[t][i], lexicographically_less) -
+                corners.begin());
+    return numbers;
+}
 
+void TriangleMesh::count_edges() {
     struct EdgeUse {
-        std::ptrdiff_t low, high;
+        std::size_t low, high;
         int direction;
     };
     std::vector<EdgeUse> uses;
-    for (const Triangle& triangle : triangles_)
+    for (const auto& corners : corner_numbers())
         for (std::size_t i = 0; i < 3; ++i) {
-            const std::ptrdiff_t from = number(triangle[i]), to = number(triangle[(i + 1) % 3]);
+            const std::size_t from = corners[i], to = corners[(i + 1) % 3];
             uses.push_back({std::min(from, to), std::max(from, to), from < to ? 1 : -1});
         }
     std::sort(uses.begin(), uses.end(), [](const EdgeUse& a, const EdgeUse& b) {

@@ -22,6 +22,9 @@ class TriangleMesh {
     /// Triangles that have two corners in common are ignored: they enclose nothing.
     explicit TriangleMesh(std::vector<Triangle> triangles);
 
+    const std::vector<Triangle>& triangles() const { return triangles_; }
+    /// Of each triangle, the numbers of its corners: the same where triangles meet.
+    std::vector<std::array<std::size_t, 3>> corner_numbers() const;
     std::size_t triangle_count() const { return triangles_.size(); }
     /// Edges used by an odd number of triangles: borders of holes.
     std::size_t open_edges() const { return open_edges_; }

@@ -45,6 +45,17 @@ class Union final : public Geometry {
 
     std::vector<double> breaks(int axis) const override { return breaks_of(of_, axis); }
 
+    Eigen::Vector3d anchor() const override {
+        return bounds().min.allFinite() && bounds().max.allFinite() ? Geometry::anchor() : of_[0].anchor();
+    }
+
+    SignedDistance signed_distance(const Eigen::Vector3d& point) const override {
+        SignedDistance least = of_[0].signed_distance(point);
+        for (std::size_t g = 1; g < of_.size(); ++g)
+            least = std::min(least, of_[g].signed_distance(point), by_distance);
+        return least;
+    }
+
   private:
     std::vector<Operand> of_;
 };
