@@ -108,7 +108,7 @@ void UnilateralFaces<S>::add(const Patch<S>& patch, const Particles<S>& particle
     const double weight = volume * (1 - middle),
                  moment = volume * (middle - middle * middle - reach * reach / 3);
 
-    typename Patch<S>::Coordinates node;
+    typename Patch<S>::Coordinates node{};
     node[static_cast<std::size_t>(face.axis)] =
         face.side == 0 ? 0 : patch.cells()[static_cast<std::size_t>(face.axis)];
     const auto visit = [&](const auto& self, int axis, double share) -> void {
