@@ -1,4 +1,4 @@
-#include "contact/spline.hpp"
+#include <matpoint/spline.hpp>
 
 #include <gtest/gtest.h>
 

@@ -71,7 +71,7 @@ class RigidTool final : public Tool<S> {
         for (Particles<S>& particles : bodies) {
             if (!acts_on(particles)) continue;
             double deepest = 0;
-            typename S::Position place;
+            typename S::Position place = S::Position::Zero();
             touching_.for_gaps(patch, particles, motion_,
                                [&](Index p, const auto& x, const auto& surface, double gap) {
                                    if (by_particles_)

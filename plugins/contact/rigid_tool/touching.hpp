@@ -283,8 +283,9 @@ class Touching {
         for (int a = 0; a < D; ++a) {
             const double begin = box.centre[a] - box.half_size[a] - node[static_cast<std::size_t>(a)],
                          end = begin + 2 * box.half_size[a], share = 1 / (2 * box.half_size[a]);
-            mass[a] = share * (spline_->mass(end) - spline_->mass(begin));
-            moment[a] = share * (spline_->moment(end) - spline_->moment(begin));
+            const Spline::Values from = spline_->at(begin), to = spline_->at(end);
+            mass[a] = share * (to.mass - from.mass);
+            moment[a] = share * (to.moment - from.moment);
         }
         const double cells = box.volume / patch.cell_size().prod();
         around.size += cells * mass.prod();
