@@ -63,10 +63,12 @@ Nearest nearest_of(const TriangleMesh::Triangle& triangle, const Eigen::Vector3d
 
 MeshDistance::MeshDistance(const TriangleMesh& mesh) {
     const std::vector<Eigen::Vector3d> normals = outward_normals(mesh);
+    std::array<Eigen::Vector3d, 3> none;
+    none.fill(Eigen::Vector3d::Zero());
     std::vector<std::size_t> sources;
     for (std::size_t t = 0; t < normals.size(); ++t) {
         if (normals[t].isZero(0)) continue;
-        faces_.push_back({mesh.triangles()[t], normals[t], {}, {}});
+        faces_.push_back({mesh.triangles()[t], normals[t], none, none});
         sources.push_back(t);
     }
     set_pseudonormals(mesh, sources);
