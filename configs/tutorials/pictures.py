@@ -143,6 +143,17 @@ def own_particles(matpoint, folder):
     save(figure, "05_own_particles")
 
 
+def contact(matpoint, folder):
+    run = Run(matpoint, HERE / "06_contact.json", folder)
+    times = [(t * 1e-3, f"{t} ms") for t in (0, 100, 300)]
+    figure = snapshots(run, times, lambda f: mises(f["stress"]) / 1e3, "von Mises stress, kPa", (0, 30), 100, "cm",
+                       (0, 60, 0, 20), 2.5, "A wheel drives a block")
+    for axis, (time, _) in zip(figure.axes, times):
+        height = 14.1 - 0.3 * (1 - np.cos(10 * np.pi * min(time, 0.1)))
+        axis.add_patch(matplotlib.patches.Circle((20, height), 6, facecolor="0.85", edgecolor="0.3"))
+    save(figure, "06_contact")
+
+
 def blurred(image, times):
     """Mean over a pixel and its neighbours, several times."""
     for _ in range(times):
@@ -203,7 +214,7 @@ def knot(matpoint, folder):
 
 
 DRAWN = {"01_pulled_bar": pulled_bar, "02_bouncing_disk": bouncing_disk, "03_metal_impact": metal_impact, "04_press": press,
-         "05_own_particles": own_particles, "knot": knot}
+         "05_own_particles": own_particles, "06_contact": contact, "knot": knot}
 
 
 def main(matpoint, *names):

@@ -70,6 +70,8 @@ void Quantity::find_components(const RunView& run) {
         components = component_names(field_shape(field_, count, run.space()), count, run.space());
         prefix = quantity_ == "particle" ? field_ : quantity_ + "_" + field_;
     }
+    const bool about_z = quantity_ == "contact_torque" && run.space().dimension() == 2;
+    if (about_z) components = {"z"};
     if (!component_.empty() &&
         std::find(components.begin(), components.end(), component_) == components.end())
         throw std::runtime_error(
@@ -83,7 +85,7 @@ void Quantity::find_components(const RunView& run) {
     names_.clear();
     for (std::size_t c = 0; c < components.size(); ++c) {
         if (!component_.empty() && components[c] != component_) continue;
-        components_.push_back(static_cast<int>(c));
+        components_.push_back(about_z ? 2 : static_cast<int>(c));
         names_.push_back(components[c].empty() ? prefix : prefix + "_" + components[c]);
     }
 }

@@ -86,7 +86,7 @@ void Quantity::describe(Schema& schema) {
                   });
     schema.refuse("/component",
                   "the quantity is a vector: its components are \"x\", \"y\" and \"z\", as many as the space "
-                  "has dimensions",
+                  "has dimensions (a torque in 2D has z alone)",
                   [](const Json& own, const Json& scene) {
                       const Json& quantity = own.at("quantity");
                       const std::vector<std::string> vectors{"centroid",      "momentum",       "reaction",
@@ -95,6 +95,7 @@ void Quantity::describe(Schema& schema) {
                       if (!own.contains("component")) return false;
                       const auto dimension = scene.at("space").at("dimension").get<std::size_t>();
                       const std::string component = own.at("component");
+                      if (quantity == "contact_torque" && dimension == 2) return component != "z";
                       return component.size() != 1 || std::string("xyz").find(component) >= dimension;
                   });
     schema.refuse("/boundary_condition", "no boundary condition has this name: give one the key `name`",
