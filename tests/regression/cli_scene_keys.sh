@@ -32,5 +32,5 @@ says "$out" "refused (cell_size): max - min must be"
 # What goes with each quantity of a probe is a table.
 expect 0 describe probe
 says "$out" "What goes with each quantity"
-grep -Eq "^  reaction +- +- +possible +- +- +needed *$" <<<"$out" || fail "no row of reaction: $out"
+grep -Eq "^  reaction +- +- +possible +- +- +needed +- *$" <<<"$out" || fail "no row of reaction: $out"
 (($(grep -c refused <<<"$out") < 10)) || fail "rules of the table are told again: $out"

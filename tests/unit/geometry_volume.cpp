@@ -5,6 +5,7 @@
 #include "particles/region_volume.hpp"
 #include "particles/seeding.hpp"
 
+#include <limits>
 #include <numbers>
 #include <random>
 
@@ -93,7 +94,7 @@ TEST_F(GeometryVolume, LinesAgreeWithPoints) {
         ASSERT_EQ(sections.size(), lines.size());
         int inside = 0;
         for (std::size_t i = 0; i < lines.size(); ++i) {
-            double length = 0, searched_length = 0, end = -1e9;
+            double length = 0, searched_length = 0, end = -std::numeric_limits<double>::infinity();
             for (const Interval& part : sections[i]) {
                 EXPECT_LE(end, part.begin) << own;
                 EXPECT_LE(part.begin, part.end) << own;

@@ -51,7 +51,8 @@ struct ParameterOptions {
     std::optional<double> at_most{};
     std::optional<double> greater_than{};
     std::optional<double> less_than{};
-    std::vector<std::string> choices{};  ///< for ParameterType::choice; of references, words beside names
+    /// For ParameterType::choice; of a number, an object or references, words that may stand in their place.
+    std::vector<std::string> choices{};
     std::string variables = "xyzt";      ///< for profile(s): what a formula may depend on
     std::string section{};               ///< for reference(s): "bodies" or "materials"
     std::string kind{};                  ///< for component(s): the kind, "geometry"

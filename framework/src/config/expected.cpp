@@ -83,8 +83,15 @@ std::string type_name(ParameterType type) {
     return "any";
 }
 
+/// The words that may stand in the place of what is expected.
+std::string or_word(const ParameterOptions& options) {
+    std::string words;
+    for (const std::string& word : options.choices) words += " or \"" + word + "\"";
+    return words;
+}
+
 std::string expected_number(const ParameterOptions& options, bool whole) {
-    return (whole ? "a whole number" : "a number") + restrictions(options);
+    return (whole ? "a whole number" : "a number") + restrictions(options) + or_word(options);
 }
 
 std::string expected(const Parameter& p, int dimension) {
@@ -128,7 +135,7 @@ std::string expected(const Parameter& p, int dimension) {
         case ParameterType::components:
             return fmt::format("a list of {} objects, each with \"type\"", p.kind);
         case ParameterType::object:
-            return "an object";
+            return "an object" + or_word(p);
         case ParameterType::map:
             return fmt::format("an object of at least {} named item(s)", p.at_least.value_or(0));
         case ParameterType::any:

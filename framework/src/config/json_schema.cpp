@@ -53,11 +53,16 @@ Json object(const Schema& schema) {
     return object(parameters, false);
 }
 
+/// What a parameter takes, or one of the words that may stand in its place.
+Json or_word(const Parameter& p, Json schema) {
+    return p.choices.empty() ? schema : any_of({{{"enum", p.choices}}, std::move(schema)});
+}
+
 Json value(const Parameter& p) {
     const Json text{{"type", "string"}};
     switch (p.type) {
         case ParameterType::number:
-            return number(p);
+            return or_word(p, number(p));
         case ParameterType::integer:
             return bare_number(p, "integer");
         case ParameterType::boolean:
@@ -92,7 +97,7 @@ Json value(const Parameter& p) {
         case ParameterType::components:
             return list_of(reference_to(p.kind));
         case ParameterType::object:
-            return object(*p.nested);
+            return or_word(p, object(*p.nested));
         case ParameterType::map:
             return {{"type", "object"},
                     {"additionalProperties", p.nested ? object(*p.nested) : reference_to(p.kind)},

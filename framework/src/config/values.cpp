@@ -47,6 +47,11 @@ Json Validator::value(const Parameter& p, const Json& given, const std::string& 
     const auto as_number = [&](const Json& item, const std::string& pointer) {
         return number(p, item, pointer);
     };
+    const bool words = p.type == ParameterType::number || p.type == ParameterType::object;
+    if (words && !p.choices.empty() && given.is_string()) {
+        if (std::find(p.choices.begin(), p.choices.end(), given) != p.choices.end()) return given;
+        if (p.type == ParameterType::object) return mismatch(p, given, at);
+    }
     switch (p.type) {
         case ParameterType::number:
             return number(p, given, at);

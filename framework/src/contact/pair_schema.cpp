@@ -1,23 +1,15 @@
 // The parameters that every law between bodies has.
 #include "contact/placed_contact.hpp"
 
-#include <cmath>
+#include <algorithm>
+#include <memory>
 
 namespace matpoint {
 
 namespace {
 
-bool is_normal(const Json& given, int dimension) {
-    if (given.is_string()) return given == "average" || given == "regression";
-    if (!given.is_object() || given.size() != 1 || !given.contains("fixed")) return false;
-    const Json& direction = given.at("fixed");
-    if (!direction.is_array() || static_cast<int>(direction.size()) != dimension) return false;
-    double square = 0;
-    for (const Json& component : direction) {
-        if (!component.is_number()) return false;
-        square += component.get<double>() * component.get<double>();
-    }
-    return square > 0 && std::isfinite(square);
+bool is_direction(const Json& given) {
+    return std::ranges::any_of(given, [](const Json& component) { return component != 0; });
 }
 
 }  // namespace
@@ -29,22 +21,23 @@ void declare_contact_pair(Schema& schema) {
               .start_only = true,
               .choices = {"all"},
               .section = "bodies"})
-        .add("normal", ParameterType::any,
+        .add("normal", ParameterType::object,
              {.doc = "Direction from one body into the other at a node: \"average\" (from the centroid of "
                      "what one has around the node to the other's), \"regression\" (across the plane that "
                      "parts their particles best), or {\"fixed\": [0, 1]} from the first body named into the "
                      "others",
-              .default_value = "average"})
+              .default_value = "average",
+              .choices = {"average", "regression"},
+              .nested = std::make_shared<Schema>(
+                  Schema("A direction that is known").vector("fixed", {.doc = "It; of any length but 0"}))})
         .choice("gap",
                 {.doc = "How far apart their surfaces are: by the moments of what is around a node, by "
                         "the faces of the closest particles, or as soon as they share a node",
                  .default_value = "moment",
                  .choices = {"moment", "particles", "none"}})
-        .refuse("/normal",
-                "expected \"average\", \"regression\" or {\"fixed\": [0, 1]} with one number per axis, "
-                "not all 0",
-                [](const Json& own, const Json& scene) {
-                    return !is_normal(own.at("normal"), scene.at("/space/dimension"_json_pointer).get<int>());
+        .refuse("/normal/fixed", "has no direction: not all of it can be 0",
+                [](const Json& own, const Json&) {
+                    return own.at("normal").is_object() && !is_direction(own.at("normal").at("fixed"));
                 });
 }
 

@@ -19,20 +19,15 @@ class Coulomb final : public ContactLaw<S> {
 
     static Schema schema() {
         Schema schema(
-            "Bodies push each other apart and rub, but don't pull. In its limit of friction, sliding is "
-            "stopped "
-            "at once.",
+            "Bodies push each other apart and rub, but don't pull. Within its limit, friction stops sliding "
+            "at "
+            "once.",
             "[Bardenhagen, Brackbill & Sulsky 2000, doi 10.1016/S0045-7825(99)00338-2]");
-        schema
-            .add(
-                "friction", ParameterType::any,
-                {.doc = "Coefficient mu >= 0; or \"stick\": bodies move as one wherever they share nodes, as "
-                        "without a contact",
-                 .default_value = 0})
-            .refuse("/friction", "expected a number >= 0, or \"stick\"", [](const Json& own, const Json&) {
-                const Json& given = own.at("friction");
-                return given.is_number() ? !(given.get<double>() >= 0) : given != "stick";
-            });
+        schema.number("friction",
+                      {.doc = "Coefficient mu; or \"stick\": bodies move as one wherever they share nodes",
+                       .default_value = 0,
+                       .at_least = 0,
+                       .choices = {"stick"}});
         ContactLaw<S>::declare_pair(schema);
         return schema;
     }
