@@ -53,10 +53,10 @@ struct ParameterOptions {
     std::optional<double> less_than{};
     /// For ParameterType::choice; of a number, an object or references, words that may stand in their place.
     std::vector<std::string> choices{};
-    std::string variables = "xyzt";      ///< for profile(s): what a formula may depend on
-    std::string section{};               ///< for reference(s): "bodies" or "materials"
-    std::string kind{};                  ///< for component(s): the kind, "geometry"
-    std::shared_ptr<Schema> nested{};    ///< for object
+    std::string variables = "xyzt";    ///< for profile(s): what a formula may depend on
+    std::string section{};             ///< for reference(s): "bodies" or "materials"
+    std::string kind{};                ///< for component(s): the kind, "geometry"
+    std::shared_ptr<Schema> nested{};  ///< for object
 };
 
 struct Parameter : ParameterOptions {
