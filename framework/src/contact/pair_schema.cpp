@@ -25,7 +25,7 @@ void declare_contact_pair(Schema& schema) {
              {.doc = "Direction from one body into the other at a node: \"average\" (from the centroid of "
                      "what one has around the node to the other's), \"regression\" (across the plane that "
                      "parts their particles best), or {\"fixed\": [0, 1]} from the first body named into the "
-                     "others",
+                     "other",
               .default_value = "average",
               .choices = {"average", "regression"},
               .nested = std::make_shared<Schema>(
@@ -35,6 +35,14 @@ void declare_contact_pair(Schema& schema) {
                         "the faces of the closest particles, or as soon as they share a node",
                  .default_value = "moment",
                  .choices = {"moment", "particles", "none"}})
+        .refuse("/normal", "a fixed direction is from one body into one other: give two bodies",
+                [](const Json& own, const Json& scene) {
+                    const Json& between = own.at("between");
+                    const std::size_t count = std::ranges::find(between, "all") != between.end()
+                                                  ? scene.at("bodies").size()
+                                                  : between.size();
+                    return own.at("normal").is_object() && count > 2;
+                })
         .refuse("/normal/fixed", "has no direction: not all of it can be 0",
                 [](const Json& own, const Json&) {
                     return own.at("normal").is_object() && !is_direction(own.at("normal").at("fixed"));
