@@ -1,5 +1,7 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include "registry/catalogue.hpp"
 
 #include <string>
@@ -18,6 +20,20 @@ inline std::vector<Json> every_plugin(const std::string& kind) {
         objects.push_back(own);
     }
     return objects;
+}
+
+/// Calls test(scene) for the scene with every shape, integrator and transfer.
+template <class Test>
+void with_every_scheme(Json scene, const Test& test) {
+    for (const Json& shape : every_plugin("shape_function"))
+        for (const Json& integrator : every_plugin("integrator"))
+            for (const Json& transfer : every_plugin("transfer")) {
+                SCOPED_TRACE(shape.dump() + integrator.dump() + transfer.dump());
+                scene["shape_function"] = shape;
+                scene["integrator"] = integrator;
+                scene["transfer"] = transfer;
+                test(scene);
+            }
 }
 
 }  // namespace matpoint::conformance

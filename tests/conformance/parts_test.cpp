@@ -26,20 +26,6 @@ Json part(double low, double high) {
     return {{"body", "bar"}, {"within", {{"type", "box"}, {"min", {low, 0}}, {"max", {high, 1}}}}};
 }
 
-/// Calls test(scene) for the scene with every shape, integrator and transfer.
-template <class Test>
-void with_every_scheme(Json scene, const Test& test) {
-    for (const Json& shape : every_plugin("shape_function"))
-        for (const Json& integrator : every_plugin("integrator"))
-            for (const Json& transfer : every_plugin("transfer")) {
-                SCOPED_TRACE(shape.dump() + integrator.dump() + transfer.dump());
-                scene["shape_function"] = shape;
-                scene["integrator"] = integrator;
-                scene["transfer"] = transfer;
-                test(scene);
-            }
-}
-
 TEST(BodyPart, AWholeBodyMovesAsItIsTold) {
     Json scene = bar();
     scene["boundary_conditions"] = {

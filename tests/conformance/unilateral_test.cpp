@@ -39,20 +39,6 @@ double total(const Simulated& run) {
     return energies.kinetic + energies.strain;
 }
 
-/// Calls test(scene) for the scene with every shape, integrator and transfer.
-template <class Test>
-void with_every_scheme(Json scene, const Test& test) {
-    for (const Json& shape : every_plugin("shape_function"))
-        for (const Json& integrator : every_plugin("integrator"))
-            for (const Json& transfer : every_plugin("transfer")) {
-                SCOPED_TRACE(shape.dump() + integrator.dump() + transfer.dump());
-                scene["shape_function"] = shape;
-                scene["integrator"] = integrator;
-                scene["transfer"] = transfer;
-                test(scene);
-            }
-}
-
 // Falls at a hundredth of the speed of sound from a quarter of a cell, is pushed off and leaves: the impulse
 // is the change of momentum, never pulls, and takes energy.
 TEST(Unilateral, LetsGoOfWhatItThrowsBack) {
