@@ -127,6 +127,16 @@ TEST(BodyPart, MistakesAreTold) {
     EXPECT_NE(told(Json::array({fixed(part(0, 1)), fixed(part(0.9, 2))})).find("prescribes the x component"),
               std::string::npos);
     EXPECT_EQ(told(Json::array({fixed(part(0, 1)), fixed(part(1.2, 2))})), "");
+    // Beside a face or a region, another velocity is refused, and what they have in common is not.
+    const auto driven = [](const Json& on, double x) {
+        return Json{{"type", "velocity"}, {"on", on}, {"velocity", {x, nullptr}}};
+    };
+    const Json region = {{"type", "box"}, {"min", {0.9, 0}}, {"max", {2, 1}}};
+    EXPECT_NE(
+        told(Json::array({driven(part(0, 1), 1), driven(region, 2)})).find("where /boundary_conditions/1"),
+        std::string::npos);
+    EXPECT_EQ(told(Json::array({driven(part(0, 1), 1), driven(region, 1)})), "");
+    EXPECT_EQ(told(Json::array({driven(part(0, 1), 1), driven("x_min", 2)})), "");  // 5 cells from there
     EXPECT_NE(told(Json::array({Json{{"type", "slip"}, {"on", part(0, 1)}}})).find("say which component"),
               std::string::npos);
 }

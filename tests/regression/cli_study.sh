@@ -69,6 +69,31 @@ says "$out" "no variant meets the target"
 says "$(query out/rows/study.json 'v[3]["reason"]')" "/transfer/gradient_enhanced"
 [[ ! -e out/rows/best.json && -n $(find out/rows/runs -name height.csv) ]] || fail "best.json or outputs"
 
+# A probe measures too, against what is exact; where there is nothing to measure is a row.
+cat >probe.json <<'END'
+{ "scene": "block.json", "vary": { "/time/end": [0.01, 0.05] }, "target": 1,
+  "accuracy": { "measure": { "statistic": "first_time_below", "probe": "height", "level": 0.249 }, "exact": 0.02 } }
+END
+expect 0 study probe.json --quiet
+[[ $(query out/probe/study.json '[r["status"] for r in v]') == "['broke_down', 'completed']" ]] || fail "$(rows out/probe)"
+says "$(query out/probe/study.json 'v[0]["reason"]')" "0.249 is never passed"
+expect 0 run out/probe/best.json --quiet --output probed
+python3 - <<'END'
+import csv, json
+row = json.load(open("out/probe/study.json"))["variants"][1]
+first = next(float(r["time"]) for r in csv.DictReader(open("probed/height.csv")) if float(list(r.values())[1]) < 0.249)
+assert row["value"] == first > 0 and row["error"] == abs(first - 0.02) / 0.02, (row, first)
+END
+touch mark
+expect 0 study probe.json --quiet
+[[ -z $(find out/probe/runs -name height.csv -newer mark) ]] || fail "measured again"
+sed 's/"height"/"hight"/' probe.json >no_probe.json
+expect 2 study no_probe.json
+says "$err" '/accuracy/measure/probe: the scene has no probe "hight"'
+sed 's/"measure"/"summary": "\/steps", "measure"/' probe.json >both.json
+expect 2 study both.json
+says "$err" "one of both"
+
 # A type that is varied does not stumble over parameters of the one before.
 cat >types.json <<'END'
 { "scene": "block.json", "set": { "/time/end": 0.02, "/shape_function": { "type": "gimp", "domain": "uniform" } },

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What apps/quickstart configures builds for one instruction set, each plugin once, and most of the kernel's files in groups.
+# What apps/quickstart configures builds for one instruction set and precision, each plugin once, and most of the kernel's files in groups.
 # Usage: quickstart_builds_little.sh SOURCE
 set -euo pipefail
 source=$1
@@ -17,6 +17,7 @@ sets=$(grep -o -- '-march=[^ ]*' "$build/compilations" | sort --unique | wc -l)
 for plugin in "$source"/plugins/*/*/; do
     (($(count "/$(basename "$(dirname "$plugin")")/$(basename "$plugin")/CMakeFiles/.*\.o ") >= 1)) || fail "does not build $plugin"
 done
+(($(count '-DMATPOINT_WITHOUT_SINGLE') == $(wc -l <"$build/compilations"))) || fail "builds single precision"
 linear=$(count '/linear\.cpp$')
 ((linear == 1)) || fail "compiles linear.cpp $linear times"
 groups=$(count 'matpoint_common\.dir') files=$(find "$source/framework/src" -name '*.cpp' | wc -l)

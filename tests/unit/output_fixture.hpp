@@ -6,6 +6,7 @@
 #include <unistd.h>
 #include <matpoint/output.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -57,18 +58,22 @@ class FakeRun final : public RunView {
         return {-1, -2, -3};
     }
 
-    std::vector<std::string> contacts() const override { return {"pair"}; }
+    std::vector<std::string> contacts() const override { return contact_names; }
     ContactReport contact(const std::string& name) const override {
-        if (name != "pair") throw std::out_of_range(name);
+        if (std::ranges::find(contact_names, name) == contact_names.end()) throw std::out_of_range(name);
         ContactReport report;
         report.force = {4, 5, 6};
         return report;
+    }
+    SurfaceMesh tool_surface(const std::string& name) const override {
+        return name == "pair" ? SurfaceMesh{} : SurfaceMesh{{0, 0, 0, 1, now, 0}, 2, {1, 0}};
     }
     double unbalanced_force() const override { return 0.01; }
     double noise() const override { return 0.02; }
 
     double now = 0;
     long steps = 0;
+    std::vector<std::string> contact_names{"pair"};
     SpaceId id{Mode::plane_strain, false};
     std::map<std::string, std::map<std::string, Columns>> data;
 };

@@ -148,7 +148,8 @@ TEST_F(OutputTest, VtkSeriesIsWholeAfterEveryWriteAndGoesOnAfterTheCheckpoint) {
     auto vtk = make(own);
     vtk->open(run, folder, -1);
     const auto entry = [](const char* time, const char* number) {
-        return std::string("<DataSet timestep=\"") + time + "\" file=\"s_00000" + number + ".vtp\"/>";
+        return std::string("<DataSet timestep=\"") + time + "\" part=\"0\" file=\"s_00000" + number +
+               ".vtp\"/>";
     };
     write_at(*vtk, 0, 0);
     EXPECT_SAYS(text_of("s.pvd"), entry("0", "0"));
@@ -169,6 +170,37 @@ TEST_F(OutputTest, VtkSeriesIsWholeAfterEveryWriteAndGoesOnAfterTheCheckpoint) {
     EXPECT_EQ(array_of<std::int32_t>(text_of("s_000002.vtp"), "body", "Int32", 1),
               std::vector<std::int32_t>{1});
     EXPECT_FALSE(exists("s_000003.vtp"));
+}
+
+TEST_F(OutputTest, VtkHasToolsAsASecondPartOfTheSeries) {
+    run.contact_names = {"pair", "indenter", "die"};
+    auto vtk = make({{"type", "vtk"}});
+    vtk->open(run, folder, -1);
+    write_at(*vtk, 0.25, 0);
+    write_at(*vtk, 0.5, 1);
+    const std::string file = text_of("particles_tools_000001.vtp");
+    EXPECT_SAYS(file,
+                "NumberOfPoints=\"4\" NumberOfVerts=\"0\" NumberOfLines=\"2\" NumberOfStrips=\"0\" "
+                "NumberOfPolys=\"0\"");
+    EXPECT_SAYS(file, "      </Lines>");
+    EXPECT_EQ(array_of<double>(file, "Points", "Float64", 3),
+              (Doubles{0, 0, 0, 1, .5, 0, 0, 0, 0, 1, .5, 0}));
+    EXPECT_EQ(array_of<std::int64_t>(file, "connectivity", "Int64", 1),
+              (std::vector<std::int64_t>{1, 0, 3, 2}));
+    EXPECT_EQ(array_of<std::int64_t>(file, "offsets", "Int64", 1), (std::vector<std::int64_t>{2, 4}));
+    EXPECT_EQ(array_of<std::int32_t>(file, "tool", "Int32", 1), (std::vector<std::int32_t>{0, 0, 1, 1}));
+    const auto entry = [](const char* time, const char* part, const char* name) {
+        return std::string("<DataSet timestep=\"") + time + "\" part=\"" + part + "\" file=\"" + name +
+               ".vtp\"/>";
+    };
+    vtk = make({{"type", "vtk"}});
+    vtk->open(run, folder, 0.25);  // the second is written again
+    EXPECT_FALSE(exists("particles_tools_000001.vtp"));
+    write_at(*vtk, 0.75, 1);
+    EXPECT_SAYS(text_of("particles.pvd"), entry("0.25", "0", "particles_000000") + "\n    " +
+                                              entry("0.25", "1", "particles_tools_000000") + "\n    " +
+                                              entry("0.75", "0", "particles_000001") + "\n    " +
+                                              entry("0.75", "1", "particles_tools_000001"));
 }
 
 TEST_F(OutputTest, FilesOfAnEarlierRunGoAndOthersStay) {

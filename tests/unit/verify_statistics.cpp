@@ -57,6 +57,8 @@ TEST_F(Statistics, MeanAndExtremesOfTheRowsInAWindow) {
 }
 
 TEST_F(Statistics, TimesAtALevel) {
+    EXPECT_TRUE(evaluate({{"statistic", "last"}, {"equals", 4}}, "time,x\n0,0\n1,nan\n2,4\n").holds);
+    EXPECT_FALSE(evaluate({{"statistic", "last"}, {"below", 9}}, "time,x\n0,0\n1,nan\n").holds);
     EXPECT_TRUE(evaluate({{"statistic", "first_time_above"}, {"level", 1}, {"equals", 3}}, hump).holds);
     EXPECT_TRUE(
         evaluate({{"statistic", "first_time_below"}, {"level", 1}, {"from", 2}, {"equals", 7}}, hump).holds);

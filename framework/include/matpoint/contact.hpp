@@ -1,6 +1,7 @@
 #pragma once
 
 #include <matpoint/contact_report.hpp>
+#include <matpoint/geometry.hpp>
 #include <matpoint/registry.hpp>
 #include <matpoint/shape_function.hpp>
 
@@ -119,6 +120,10 @@ class Tool : public Contact<S> {
     /// Gives its impulses to the nodes, once a step, and moves.
     virtual void act(ToolContext<S>& context) = 0;
     virtual ContactReport report() const = 0;
+    /// Distance from its surface, where it is now. Called from several threads.
+    virtual SignedDistance signed_distance(const Eigen::Vector3d& point) const = 0;
+    /// From when on it moves as it will to the end, at rest, s; infinity: it may never be.
+    virtual double settled_at() const { return 0; }
     /// Its numbers for checkpoints, by name: saved, and set again.
     virtual std::map<std::string, double> state() const { return {}; }
     virtual void restore(const std::map<std::string, double>&) {}

@@ -2,6 +2,7 @@
 
 #include <matpoint/contact_report.hpp>
 #include <matpoint/registry.hpp>
+#include <matpoint/surface_mesh.hpp>
 
 #include <array>
 #include <filesystem>
@@ -47,6 +48,8 @@ class RunView {
     /// Names of the contacts, and what one of them has done.
     virtual std::vector<std::string> contacts() const = 0;
     virtual ContactReport contact(const std::string& name) const = 0;
+    /// The surface of a tool on the grid, as it is now; of bodies' contact, nothing.
+    virtual SurfaceMesh tool_surface(const std::string& contact) const = 0;
 
     /// How far the last step was from equilibrium: sum |f| of the nodes over that of the forces which should
     /// be in balance, the internal or the external ones, whichever are larger; components that boundary

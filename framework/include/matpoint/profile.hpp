@@ -36,8 +36,8 @@ class Profile {
     double operator()(const std::array<double, 3>& position, double time) const;
     /// Time (s) from which on the value stays as it is; infinite for a formula of t.
     double settled_at() const;
-    /// Whether the value is 0 at all times, or, of a table, after its end; false for a formula.
-    bool ends_at_zero() const;
+    /// Time (s) from which on the value is 0; infinite for a formula and where it never is.
+    double zero_from() const;
     /// Those of x, y, z and t that the value depends on: "xt".
     std::string variables() const;
 

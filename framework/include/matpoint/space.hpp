@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include <stdexcept>
 #include <string_view>
 #include <type_traits>
 
@@ -45,15 +46,24 @@ using PlaneStrainSingle = Space<2, Mode::plane_strain, float>;
 using AxisymmetricSingle = Space<2, Mode::axisymmetric, float>;
 using SolidSingle = Space<3, Mode::solid, float>;
 
-#define MATPOINT_FOR_EACH_SPACE(X)    \
-    X(::matpoint::Bar)                \
-    X(::matpoint::PlaneStrain)        \
-    X(::matpoint::Axisymmetric)       \
-    X(::matpoint::Solid)              \
-    X(::matpoint::BarSingle)          \
-    X(::matpoint::PlaneStrainSingle)  \
-    X(::matpoint::AxisymmetricSingle) \
+// MATPOINT_WITHOUT_SINGLE is defined by builds that were asked for double precision alone.
+#ifdef MATPOINT_WITHOUT_SINGLE
+inline constexpr bool has_single = false;
+#define MATPOINT_FOR_EACH_SINGLE_SPACE(X)
+#else
+inline constexpr bool has_single = true;
+#define MATPOINT_FOR_EACH_SINGLE_SPACE(X) \
+    X(::matpoint::BarSingle)              \
+    X(::matpoint::PlaneStrainSingle)      \
+    X(::matpoint::AxisymmetricSingle)     \
     X(::matpoint::SolidSingle)
+#endif
+#define MATPOINT_FOR_EACH_SPACE(X) \
+    X(::matpoint::Bar)             \
+    X(::matpoint::PlaneStrain)     \
+    X(::matpoint::Axisymmetric)    \
+    X(::matpoint::Solid)           \
+    MATPOINT_FOR_EACH_SINGLE_SPACE(X)
 
 /// A space as a value, for code that is not compiled per space (the registry, the command line).
 struct SpaceId {
@@ -70,23 +80,27 @@ struct SpaceId {
     friend constexpr bool operator==(SpaceId, SpaceId) = default;
 };
 
-/// Calls `function.template operator()<S>()` for the space that `id` names; returns its result.
+/// Calls `function.template operator()<S>()` for the space that `id` names; returns its result. Throws
+/// std::invalid_argument if it was not built for that.
 template <class Function>
 auto with_space(SpaceId id, Function&& function) {
+    const auto call = [&]<class Double, class Single>() {
+        if constexpr (has_single)
+            if (id.single) return function.template operator()<Single>();
+        if (id.single) throw std::invalid_argument("built without single precision");
+        return function.template operator()<Double>();
+    };
     switch (id.mode) {
         case Mode::bar:
-            return id.single ? function.template operator()<BarSingle>()
-                             : function.template operator()<Bar>();
+            return call.template operator()<Bar, BarSingle>();
         case Mode::plane_strain:
-            return id.single ? function.template operator()<PlaneStrainSingle>()
-                             : function.template operator()<PlaneStrain>();
+            return call.template operator()<PlaneStrain, PlaneStrainSingle>();
         case Mode::axisymmetric:
-            return id.single ? function.template operator()<AxisymmetricSingle>()
-                             : function.template operator()<Axisymmetric>();
+            return call.template operator()<Axisymmetric, AxisymmetricSingle>();
         case Mode::solid:
             break;
     }
-    return id.single ? function.template operator()<SolidSingle>() : function.template operator()<Solid>();
+    return call.template operator()<Solid, SolidSingle>();
 }
 
 }  // namespace matpoint

@@ -117,8 +117,9 @@ double Profile::settled_at() const {
     return varies ? std::numeric_limits<double>::infinity() : 0;
 }
 
-bool Profile::ends_at_zero() const {
-    return !formula_ && (times_.empty() ? constant_ : values_.back()) == 0;
+double Profile::zero_from() const {
+    const bool ends_at_zero = !formula_ && (times_.empty() ? constant_ : values_.back()) == 0;
+    return ends_at_zero ? settled_at() : std::numeric_limits<double>::infinity();
 }
 
 std::string Profile::variables() const {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 namespace matpoint {
@@ -10,31 +9,15 @@ namespace matpoint {
 namespace {
 /// Shares of a node's mass below which a layer is not there: what is measured of it is rounding.
 constexpr double least_share = 1e-5;
-/// Cells; thinner or longer domains count as so large.
-constexpr double least_half_size = 1e-3, largest_half_size = 2;
+/// Cells.
+constexpr double largest_half_size = 2;
 /// Nodes along an axis that a domain may reach.
 constexpr int most_nodes = 9;
 }  // namespace
 
 template <class S>
 MeetingNodes<S>::MeetingNodes(const Patch<S>& patch, const ShapeFunction<S>& shape)
-    : spline_(degree(patch, shape)) {}
-
-/// A point reaches one node more along an axis than the degree of the basis.
-template <class S>
-int MeetingNodes<S>::degree(const Patch<S>& patch, const ShapeFunction<S>& shape) {
-    using Real = typename S::Real;
-    const typename S::Position x =
-        patch.min() + (patch.cells()[0] / 2 + 0.3) * patch.cell_size().minCoeff() * Vector::Ones();
-    const auto stencil =
-        guarded(shape, "stencil", [&] { return shape.stencil(patch, x, S::Vector::Zero()); });
-    std::vector<int> along;
-    for (std::size_t k = 0; k < stencil.nodes.size(); ++k)
-        if (stencil.weights[k] > Real(1e-6)) along.push_back(stencil.nodes[k][0]);
-    std::ranges::sort(along);
-    const auto count = std::ranges::distance(along.begin(), std::ranges::unique(along).begin());
-    return std::clamp(static_cast<int>(count) - 1, 1, 3);
-}
+    : spline_(spline_degree(patch, shape)) {}
 
 template <class S>
 void MeetingNodes<S>::locate(std::span<Patch<S>* const> layers, std::span<const std::size_t> layer,
@@ -157,57 +140,17 @@ void MeetingNodes<S>::measure(const Patch<S>& patch, const Near& near, const Box
             reaches = reaches && centre[a] > box.low[axis] - reach && centre[a] < box.high[axis] + reach;
         }
         if (!reaches) continue;
-        visit_images(patch, extent(patch, particles, p, centre),
-                     [&](const Extent& own) { add(patch, near, box, own); });
+        visit_images(
+            patch, DomainBox<S>(patch, particles, p), 2 * spline_.reach(),
+            [&](int axis, int side) {
+                return walls_[static_cast<std::size_t>(axis)][static_cast<std::size_t>(side)];
+            },
+            [&](const DomainBox<S>& own) { add(patch, near, box, own); });
     }
 }
 
-/// A box with the second moments of the deformed domain along each axis, l_a^2 = sum_b (F_ab l0_b)^2: itself
-/// where it is only stretched along the axes, and as large as before where it only turns.
 template <class S>
-auto MeetingNodes<S>::extent(const Patch<S>& patch, const Particles<S>& particles, Index p,
-                             const Vector& centre) const -> Extent {
-    const auto f = ParticleBatch<S>::load_deformation_gradient(particles, p);
-    const auto l = particles.vector(Field::initial_half_size, p);
-    Extent own{centre, Vector::Zero(), particles.value(Field::volume, 0, p)};
-    if constexpr (S::axisymmetric) own.volume /= 2 * std::numbers::pi * particles.position(p)[0];
-    for (int a = 0; a < S::dimension; ++a) {
-        double square = 0;
-        for (int b = 0; b < S::dimension; ++b) {
-            const double edge = static_cast<double>(f.plane(a, b)) * static_cast<double>(l[b]);
-            square += edge * edge;
-        }
-        own.half_size[a] =
-            std::clamp(std::sqrt(square) * patch.inverse_cell_size()[a], least_half_size, largest_half_size);
-    }
-    return own;
-}
-
-/// Behind a wall, which mirrors, lies the image of what is before it.
-template <class S>
-template <class Visit>
-void MeetingNodes<S>::visit_images(const Patch<S>& patch, const Extent& own, const Visit& visit) const {
-    std::array<Extent, 1 << S::dimension> images;
-    std::size_t count = 1;
-    images[0] = own;
-    for (int a = 0; a < S::dimension; ++a)
-        for (int side = 0; side < 2; ++side) {
-            const auto axis = static_cast<std::size_t>(a);
-            if (!walls_[axis][static_cast<std::size_t>(side)]) continue;
-            const double wall = side == 0 ? 0 : patch.cells()[axis];
-            const double reach = 2 * spline_.reach() + own.half_size[a];
-            if (std::abs(own.centre[a] - wall) > reach || 2 * count > images.size()) continue;
-            for (std::size_t k = 0; k < count; ++k) {
-                images[count + k] = images[k];
-                images[count + k].centre[a] = 2 * wall - images[k].centre[a];
-            }
-            count *= 2;
-        }
-    for (std::size_t k = 0; k < count; ++k) visit(images[k]);
-}
-
-template <class S>
-void MeetingNodes<S>::add(const Patch<S>& patch, const Near& near, const Box& box, const Extent& own) {
+void MeetingNodes<S>::add(const Patch<S>& patch, const Near& near, const Box& box, const DomainBox<S>& own) {
     struct Weights {
         std::array<double, most_nodes> mass, moment;
     };

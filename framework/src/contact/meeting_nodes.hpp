@@ -1,5 +1,6 @@
 #pragma once
 
+#include <matpoint/domain_box.hpp>
 #include <matpoint/grid.hpp>
 #include <matpoint/particles.hpp>
 #include <matpoint/shape_function.hpp>
@@ -91,17 +92,8 @@ class MeetingNodes {
         Coordinates node;
         std::size_t share;
     };
-    struct Extent {
-        Vector centre, half_size;  ///< in cells from node 0
-        double volume;             ///< m^D
-    };
-
-    static int degree(const Patch<S>& patch, const ShapeFunction<S>& shape);
-    Extent extent(const Patch<S>& patch, const Particles<S>& particles, Index p, const Vector& centre) const;
-    template <class Visit>
-    void visit_images(const Patch<S>& patch, const Extent& own, const Visit& visit) const;
     void measure(const Patch<S>& patch, const Near& near, const Box& box, const Particles<S>& particles);
-    void add(const Patch<S>& patch, const Near& near, const Box& box, const Extent& own);
+    void add(const Patch<S>& patch, const Near& near, const Box& box, const DomainBox<S>& own);
     void sort_neighbours();
 
     Spline spline_;

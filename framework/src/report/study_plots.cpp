@@ -59,6 +59,9 @@ std::string measure_label(const Json& study, const std::string& key) {
     const Json& described = study.at(measure);
     if (described.contains("label")) return described.at("label").get<std::string>();
     std::string words = described.value("summary", key);
+    if (described.contains("measure"))
+        words = text_of(described.at("measure"), "statistic") + " of " +
+                text_of(described.at("measure"), "probe");
     for (char& c : words) c = c == '/' || c == '_' ? ' ' : c;
     return words.substr(std::min(words.find_first_not_of(' '), words.size()));
 }

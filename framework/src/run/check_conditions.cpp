@@ -1,51 +1,22 @@
+#include "run/holding.hpp"
 #include "run/node_box.hpp"
 #include "run/scene_checks.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <limits>
 #include <optional>
 
 namespace matpoint {
 
 namespace {
 
-/// Moments of a run at which two conditions are compared.
-constexpr int moments = 8;
-
-std::string pointer_to(std::size_t condition) {
-    return fmt::format("/boundary_conditions/{}", condition);
-}
-
-/// Where a condition holds: in its region (axis -1), or on one of its faces.
-struct Holding {
-    std::size_t condition;
-    int axis = -1;
-    int side = 0;
-
-    bool is_same_face(const Holding& other) const { return axis == other.axis && side == other.side; }
-};
-
-template <class S>
-std::vector<Holding> holdings(const std::vector<PlacedCondition<S>>& conditions) {
-    std::vector<Holding> all;
-    for (std::size_t k = 0; k < conditions.size(); ++k) {
-        if (conditions[k].region) all.push_back({k});
-        for (int axis = 0; axis < S::dimension; ++axis)
-            for (int side = 0; side < 2; ++side)
-                if (holds_on(conditions[k], axis, side)) all.push_back({k, axis, side});
-    }
-    return all;
-}
-
 /// Looks for what two conditions prescribe: on the same face, or, with different velocities, at a node of a
 /// region and another place.
 template <class S>
 class Conflict {
   public:
-    explicit Conflict(const SceneParts<S>& parts)
-        : parts_(parts), end_(parts.scene.at("/time/end"_json_pointer).template get<double>()) {}
+    explicit Conflict(const SceneParts<S>& parts) : parts_(parts) {}
 
     std::optional<std::string> on_face(const Holding& one, const Holding& other) const {
         for (const std::size_t k : {one.condition, other.condition})
@@ -73,7 +44,7 @@ class Conflict {
         nodes.any([&](const typename Patch<S>::Coordinates& node) {
             const Eigen::Vector3d place = place_of(parts_.patch, node);
             if (!within.contains(place) || (also_within && !also_within->contains(place))) return false;
-            found = difference(region, other, parts_.patch.node_position(node));
+            found = difference(parts_, region, other, parts_.patch.node_position(node));
             return found.has_value();
         });
         return found;
@@ -84,35 +55,7 @@ class Conflict {
         return {a.min.cwiseMax(b.min), a.max.cwiseMin(b.max)};
     }
 
-    std::optional<std::string> difference(const Holding& region, const Holding& other,
-                                          const typename S::Position& place) const {
-        using Real = typename S::Real;
-        const BoundaryCondition<S>& a = *parts_.conditions[region.condition].condition;
-        const BoundaryCondition<S>& b = *parts_.conditions[other.condition].condition;
-        const auto by_a = a.prescribes(region.axis), by_b = b.prescribes(other.axis);
-        for (int c = 0; c < S::dimension; ++c) {
-            const auto i = static_cast<std::size_t>(c);
-            if (!by_a[i] || !by_b[i]) continue;
-            for (int k = 0; k < moments; ++k) {
-                const double time = end_ * k / (moments - 1);
-                const Real va = a.velocity(place, time)[c], vb = b.velocity(place, time)[c];
-                const Real rounding =
-                    16 * std::numeric_limits<Real>::epsilon() * std::max(std::abs(va), std::abs(vb));
-                if (!(std::abs(va - vb) > rounding)) continue;
-                return fmt::format(
-                    "prescribes {:.6g} m/s as the {} component of velocity at the node ({:.6g}) at t = "
-                    "{:.6g} s, "
-                    "where {}{} prescribes {:.6g} m/s: let one of them end before the other",
-                    va, "xyz"[i], fmt::join(place.data(), place.data() + S::dimension, ", "), time,
-                    pointer_to(other.condition),
-                    other.axis < 0 ? "" : fmt::format(" on \"{}\"", face_name(other.axis, other.side)), vb);
-            }
-        }
-        return {};
-    }
-
     const SceneParts<S>& parts_;
-    double end_;
 };
 
 template <class S>

@@ -1,18 +1,21 @@
-#include "run/scene_checks.hpp"
+#include "run/holding.hpp"
+#include "run/node_box.hpp"
 #include "step/held_parts.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <optional>
+#include <vector>
 
 namespace matpoint {
 
 namespace {
 
-/// Whether a node gets enough of its mass from the part to be held.
+/// Nodes that get enough of their mass from the part to be held.
 template <class S>
-bool reaches_a_node(const SceneParts<S>& parts, const BodyPart& part) {
+std::vector<typename Patch<S>::Coordinates> held_nodes(const SceneParts<S>& parts, const BodyPart& part) {
     using Vector = typename S::Vector;
     struct Mass {
         double part = 0, whole = 0;
@@ -41,9 +44,10 @@ bool reaches_a_node(const SceneParts<S>& parts, const BodyPart& part) {
         for (const Particles<S>& particles : parts.bodies)
             for (Index p = 0; p < particles.size(); ++p)
                 if (in_part(particles, p) == own) add(particles, p, own);
-    return std::ranges::any_of(nodes, [](const auto& node) {
-        return node.second.part > 0 && node.second.part >= HeldParts<S>::least_share * node.second.whole;
-    });
+    std::vector<typename Patch<S>::Coordinates> held;
+    for (const auto& [node, mass] : nodes)
+        if (mass.part > 0 && mass.part >= HeldParts<S>::least_share * mass.whole) held.push_back(node);
+    return held;
 }
 
 template <class S>
@@ -69,6 +73,22 @@ std::optional<std::string> conflict(const SceneParts<S>& parts, std::size_t one,
     return {};
 }
 
+/// What a part's condition and one of a face or a region prescribe differently for a node.
+template <class S>
+std::optional<std::string> conflict(const SceneParts<S>& parts, std::size_t part, const Holding& other,
+                                    const std::vector<typename Patch<S>::Coordinates>& held) {
+    const Geometry* const region = parts.conditions[other.condition].region.get();
+    for (const auto& node : held) {
+        const auto axis = static_cast<std::size_t>(std::max(other.axis, 0));
+        const bool there = other.axis < 0 ? region->contains(place_of(parts.patch, node))
+                                          : node[axis] == (other.side == 0 ? 0 : parts.patch.cells()[axis]);
+        if (!there) continue;
+        if (auto found = difference(parts, Holding{part}, other, parts.patch.node_position(node)))
+            return found;
+    }
+    return {};
+}
+
 }  // namespace
 
 template <class S>
@@ -78,12 +98,16 @@ Findings check_parts(const SceneParts<S>& parts) {
         const auto& part = parts.conditions[k].part;
         if (!part) continue;
         const std::string pointer = fmt::format("/boundary_conditions/{}/on", k);
-        if (!reaches_a_node(parts, *part))
+        const auto held = held_nodes(parts, *part);
+        if (held.empty())
             findings.push_back({true, pointer,
                                 "no node of the grid gets 15 % of its mass from this part, so that it holds "
                                 "nothing: let it be a cell thick"});
         for (std::size_t other = 0; other < k; ++other)
             if (const auto found = conflict(parts, k, other)) findings.push_back({true, pointer, *found});
+        for (const Holding& other : holdings(parts.conditions))
+            if (const auto found = conflict(parts, k, other, held))
+                findings.push_back({true, pointer, *found});
     }
     return findings;
 }

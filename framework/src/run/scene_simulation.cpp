@@ -25,6 +25,9 @@ double settled_at(const Components<S>& components) {
     for (const auto& placed : components.conditions)
         guarded(*placed.condition, "settled_at",
                 [&] { time = std::max(time, placed.condition->settled_at()); });
+    for (const auto& placed : components.contacts)
+        if (const Tool<S>* tool = placed.contact->tool())
+            guarded(*tool, "settled_at", [&] { time = std::max(time, tool->settled_at()); });
     return time;
 }
 }  // namespace

@@ -60,8 +60,10 @@ class SceneSimulation final : public Simulation {
     std::array<double, 3> reaction(const std::string& boundary_condition) const override;
     std::vector<std::string> contacts() const override;
     ContactReport contact(const std::string& name) const override;
+    SurfaceMesh tool_surface(const std::string& contact) const override;
 
   private:
+    std::size_t number_of_contact(const std::string& name) const;
     /// What is added up over the run, and what the next step needs beyond the particles.
     struct Numbers {
         double strain = 0, external = 0, damped = 0, contact = 0;  // J

@@ -1,10 +1,12 @@
 // What a SceneSimulation shows to outputs, and its state as a checkpoint holds it.
 #include "run/derived_fields.hpp"
+#include "run/dual_contour.hpp"
 #include "run/scene_simulation.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace matpoint {
 
@@ -86,10 +88,35 @@ std::vector<std::string> SceneSimulation<S>::contacts() const {
 }
 
 template <class S>
-ContactReport SceneSimulation<S>::contact(const std::string& name) const {
+std::size_t SceneSimulation<S>::number_of_contact(const std::string& name) const {
     for (std::size_t k = 0; k < engine_.contacts().size(); ++k)
-        if (engine_.contacts()[k].name == name) return engine_.contact_report(k);
+        if (engine_.contacts()[k].name == name) return k;
     throw std::invalid_argument("there is no contact \"" + name + "\"");
+}
+
+template <class S>
+ContactReport SceneSimulation<S>::contact(const std::string& name) const {
+    return engine_.contact_report(number_of_contact(name));
+}
+
+/// On a lattice as fine as the grid, or as pictures need, that reaches a cell beyond it.
+template <class S>
+SurfaceMesh SceneSimulation<S>::tool_surface(const std::string& contact) const {
+    constexpr double most_nodes = 4e5;
+    const Tool<S>* const tool = engine_.contacts()[number_of_contact(contact)].contact->tool();
+    if (!tool) return {};
+    const typename S::Position size =
+        engine_.patch().node_position(engine_.patch().cells()) - engine_.patch().min();
+    Lattice lattice{S::dimension, Eigen::Vector3d::Zero(), smallest_cell_, {1, 1, 1}};
+    while ((size.array() / lattice.spacing + 3).prod() > most_nodes) lattice.spacing *= 2;
+    for (int a = 0; a < S::dimension; ++a) {
+        lattice.min[a] = engine_.patch().min()[a] - lattice.spacing;
+        lattice.nodes[static_cast<std::size_t>(a)] =
+            static_cast<int>(std::ceil(size[a] / lattice.spacing)) + 3;
+    }
+    return guarded(*tool, "signed_distance", [&] {
+        return dual_contour(lattice, [&](const Eigen::Vector3d& x) { return tool->signed_distance(x); });
+    });
 }
 
 template <class S>

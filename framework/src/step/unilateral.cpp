@@ -1,5 +1,7 @@
 #include "step/unilateral.hpp"
 
+#include <matpoint/domain_box.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -19,19 +21,6 @@ struct EdgeWeights {
         weights = {0.5 * (0.5 - d) * (0.5 - d), 0.75 - d * d, 0.5 * (0.5 + d) * (0.5 + d)};
     }
 };
-
-/// Half of a particle's size along an axis, m: that of its box, stretched as gimp's `stretched` domains are.
-template <class S>
-double half_size(const Particles<S>& particles, Index p, int axis) {
-    double square = 0;
-    for (int b = 0; b < S::dimension; ++b) {
-        const double f = (axis == b ? 1 : 0) + static_cast<double>(particles.column(
-                                                   Field::displacement_gradient, axis + S::dimension * b)[p]);
-        const double own = f * static_cast<double>(particles.column(Field::initial_half_size, b)[p]);
-        square += own * own;
-    }
-    return std::sqrt(square);
-}
 
 }  // namespace
 
@@ -99,7 +88,7 @@ void UnilateralFaces<S>::measure(std::span<Patch<S>* const> nodes, const std::ve
 template <class S>
 void UnilateralFaces<S>::add(const Patch<S>& patch, const Particles<S>& particles, Index p, double x,
                              Face& face) const {
-    const double half = half_size(particles, p, face.axis) / patch.cell_size()[face.axis];
+    const double half = domain_half_size(particles, p, face.axis) / patch.cell_size()[face.axis];
     const double near = x - half, far = std::min(x + half, 1.0);
     if (!(near < far)) return;
     // Means of 1 - x and (1 - x) x over what of the particle is within the cell.

@@ -5,6 +5,7 @@
 
 #include "config/utf8.hpp"
 #include "run/result_folder.hpp"
+#include "verify/statistics.hpp"
 
 #include <fmt/format.h>
 
@@ -12,6 +13,7 @@
 #include <boost/crc.hpp>
 #include <cmath>
 #include <cstring>
+#include <stdexcept>
 
 namespace matpoint {
 namespace {
@@ -70,7 +72,7 @@ std::optional<Outcome> Measurement::known(const Variant& variant) const {
     const fs::path path = options_.output / folder(variant);
     if (options_.again || read_text(path / scene_file) != text_of(variant.scene)) return {};
     Json summary = read_summary(path);
-    if (summary.is_null()) return {};
+    if (summary.is_null() || !fs::exists(path / measured_file())) return {};
     Outcome outcome = outcome_of(std::move(summary));
     if (outcome.status == "crashed") return {};  // it may do better next time
     return outcome;
@@ -104,9 +106,9 @@ Outcome Measurement::finish(const Variant& variant, ProcessEnd end) {
     if (study_.json.at("keep_outputs") != true) {
         std::vector<fs::path> left;
         for (const auto& entry : fs::directory_iterator(path)) left.push_back(entry.path());
-        std::erase_if(left, [](const fs::path& file) {
+        std::erase_if(left, [this](const fs::path& file) {
             return file.filename() == scene_file || file.filename() == summary_file ||
-                   file.filename() == log_file;
+                   file.filename() == log_file || file.filename() == measured_file();
         });
         for (const fs::path& file : left) fs::remove_all(file);
     }
@@ -118,6 +120,26 @@ Outcome Measurement::finish(const Variant& variant, ProcessEnd end) {
     while (log.ends_with('\n')) log.pop_back();
     if (end.status == exit_bad_input) return {"refused", log, {}};
     return {"crashed", log.empty() ? fmt::format("ended with status {}", end.status) : log, {}};
+}
+
+std::string Measurement::measured_file() const {
+    const Json accuracy = study_.json.value("accuracy", Json::object());
+    return accuracy.contains("measure") ? accuracy.at("measure").at("probe").get<std::string>() + ".csv" : "";
+}
+
+double Measurement::measured(const Variant& variant, const Outcome& outcome, std::string& why_not) const {
+    const Json& accuracy = study_.json.at("accuracy");
+    if (accuracy.contains("summary")) {
+        why_not = accuracy.at("summary").get<std::string>() + " is not a finite number";
+        return number(outcome, accuracy.at("summary"), "/accuracy/summary");
+    }
+    why_not = statistic_text(accuracy.at("measure")) + " is not a finite number";
+    try {
+        return statistic_of(accuracy.at("measure"), options_.output / folder(variant));
+    } catch (const std::runtime_error& error) {
+        why_not = error.what();
+        return std::nan("");
+    }
 }
 
 double Measurement::number(const Outcome& outcome, const std::string& pointer,

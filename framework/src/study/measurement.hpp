@@ -46,8 +46,14 @@ class Measurement {
     /// A number in the summary of a run that completed. Throws InputError, about the place in the study that
     /// asks for it, if there is no such number; NaN if it isn't finite.
     double number(const Outcome& outcome, const std::string& pointer, const std::string& asked_at) const;
+    /// What the accuracy of a run that completed is measured by; NaN, and the reason, if there is none.
+    /// Throws as number() does.
+    double measured(const Variant& variant, const Outcome& outcome, std::string& why_not) const;
 
   private:
+    /// Name of the probe's file that measured() reads; empty if it reads none.
+    std::string measured_file() const;
+
     const StudyFile& study_;
     const StudyOptions& options_;
     std::set<std::string> running_;  ///< folders

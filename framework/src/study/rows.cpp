@@ -45,12 +45,12 @@ void Rows::add(const Variant& variant, const Outcome& outcome) {
     if (outcome.summary.is_object()) row["cost"] = json_of(number_at(outcome.summary, cost));
     if (outcome.status == "completed") {
         measurement_.number(outcome, cost, "/cost/summary");
-        const std::string measure = study_.json.at("accuracy").at("summary");
-        const double value = measurement_.number(outcome, measure, "/accuracy/summary");
+        std::string why_not;
+        const double value = measurement_.measured(variant, outcome, why_not);
         row["value"] = json_of(value);
         if (!std::isfinite(value)) {
             row["status"] = "broke_down";
-            row["reason"] = measure + " is not a finite number";
+            row["reason"] = why_not;
         }
     }
     rows_.push_back(std::move(row));
@@ -91,9 +91,10 @@ std::vector<Rows::Line> Rows::lines() const {
 }
 
 void Rows::take_errors() {
-    const double scale = accuracy_.value("scale", 1.0);
+    const double exact = accuracy_.value("exact", 0.0);
+    const double scale = accuracy_.value("scale", exact == 0 ? 1.0 : std::abs(exact));
     for (Json& row : rows_)
-        if (completed(row)) row["error"] = json_of(std::abs(number_in(row, "value")) / scale);
+        if (completed(row)) row["error"] = json_of(std::abs(number_in(row, "value") - exact) / scale);
 }
 
 void Rows::refer_to_finest(const std::vector<Line>& lines) {
@@ -137,8 +138,25 @@ void Rows::find_front(const char* cost, const char* key) {
     for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i][key] = static_cast<bool>(front[i]);
 }
 
+namespace {
+void expect_probe(const StudyFile& study, const std::vector<Variant>& variants, const std::string& probe) {
+    for (const Variant& variant : variants) {
+        if (variant.scene.is_null()) continue;
+        const auto has_name = [&](const Json& output) { return output.value("name", Json()) == probe; };
+        if (std::ranges::any_of(variant.scene.at("outputs"), has_name)) continue;
+        Diagnostics mistakes;
+        mistakes.add(study.document->diagnostic(
+            "/accuracy/measure/probe", fmt::format("the scene has no probe {}", Json(probe).dump())));
+        mistakes.throw_if_errors();
+    }
+}
+}  // namespace
+
 void check_accuracy(const StudyFile& study, const std::vector<Variant>& variants) {
-    if (!study.json.at("accuracy").at("summary").get<std::string>().starts_with("/error")) return;
+    const Json& accuracy = study.json.at("accuracy");
+    if (accuracy.contains("measure"))
+        return expect_probe(study, variants, accuracy.at("measure").at("probe"));
+    if (!accuracy.at("summary").get<std::string>().starts_with("/error")) return;
     for (const Variant& variant : variants) {
         if (variant.scene.is_null() || variant.scene.contains("exact_solution")) continue;
         Diagnostics mistakes;

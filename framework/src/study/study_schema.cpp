@@ -1,5 +1,7 @@
 #include "study/study_schema.hpp"
 
+#include "verify/statistics.hpp"
+
 namespace matpoint {
 namespace {
 
@@ -19,13 +21,38 @@ Schema& add_summary(Schema& schema, ParameterOptions options) {
     return schema.text("summary", std::move(options))
         .text("label", {.doc = "What tables and axes call it; by default the pointer", .optional = true})
         .refuse("/summary", "expected a JSON pointer into summary.json, such as \"/error/linf\"",
-                [](const Json& own, const Json&) { return !is_pointer(own.at("summary")); });
+                [](const Json& own, const Json&) {
+                    return own.contains("summary") && !is_pointer(own.at("summary"));
+                });
+}
+
+Schema measure_schema() {
+    Schema schema("A number taken from a probe's file, as by a check of this form");
+    describe_statistic(schema);
+    return schema;
 }
 
 Schema accuracy_schema() {
-    Schema schema("What is called the error of a variant: a number in its summary.json, without its sign");
-    return add_summary(schema, {.doc = "JSON pointer into summary.json, \"/error/linf\""})
-        .number("scale", {.doc = "The error is divided by it", .optional = true, .greater_than = 0})
+    Schema schema(
+        "What is called the error of a variant: a number in its summary.json, or one taken from a probe's "
+        "file, "
+        "without its sign or less what is exact");
+    return add_summary(schema, {.doc = "JSON pointer into summary.json, \"/error/linf\"", .optional = true})
+        .add("measure", ParameterType::object,
+             {.doc = "In place of `summary`: a statistic of a probe of the scene",
+              .optional = true,
+              .nested = nested(measure_schema())})
+        .refuse(
+            "", "give `summary` or `measure`, one of both",
+            [](const Json& own, const Json&) { return own.contains("summary") == own.contains("measure"); })
+        .number("exact", {.doc = "The error is the distance from it", .optional = true})
+        .refuse(
+            "/exact", "is known exactly: leave `reference` out",
+            [](const Json& own, const Json&) { return own.contains("exact") && own.contains("reference"); })
+        .number("scale",
+                {.doc = "The error is divided by it; by default by `exact` or the reference, if there is one",
+                 .optional = true,
+                 .greater_than = 0})
         .choice("reference",
                 {.doc = "Without an exact solution: the error is the distance from the limit that "
                         "the finest values of `along` lead to",

@@ -58,6 +58,17 @@ std::string one_line(const Diagnostics& mistakes) {
     return fmt::format("{}", fmt::join(texts, "; "));
 }
 
+/// The probe that the accuracy is measured by, if there is one.
+Json measured_output(const StudyFile& study, const Document& scene) {
+    Json outputs = Json::array();
+    const Json accuracy = study.json.value("accuracy", Json::object());
+    if (!accuracy.contains("measure") || !scene.json.contains("outputs")) return outputs;
+    for (const Json& output : scene.json.at("outputs"))
+        if (output.is_object() && output.value("name", Json()) == accuracy.at("measure").at("probe"))
+            outputs.push_back(output);
+    return outputs;
+}
+
 }  // namespace
 
 std::vector<Variant> make_variants(const StudyFile& study) {
@@ -92,7 +103,7 @@ VariantScenes::VariantScenes(const StudyFile& study)
 std::vector<Setting> VariantScenes::all_settings(const Variant& variant) const {
     std::vector<Setting> all = variant.assignments;
     if (study_.json.at("keep_outputs") == true) return all;
-    all.push_back({"/outputs", Json::array()});
+    all.push_back({"/outputs", measured_output(study_, document_)});
     all.push_back({"/checkpoint", nullptr});
     return all;
 }

@@ -1,133 +1,17 @@
 #include "verify/bounds.hpp"
 #include "verify/check.hpp"
-#include "verify/table.hpp"
-
-#include <fmt/format.h>
-
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <map>
-#include <numeric>
-#include <stdexcept>
+#include "verify/statistics.hpp"
 
 namespace matpoint {
-namespace {
-
-/// The rows of a probe's column that are looked at, and the level for statistics that count times.
-struct Samples {
-    std::vector<double> times, values;
-    double level = 0;
-};
-
-using Statistic = std::function<double(const Samples&)>;
-
-/// Time of the first row where `holds(value, level)`.
-template <class Compare>
-double first_time(const Samples& samples, Compare holds) {
-    for (std::size_t i = 0; i < samples.times.size(); ++i) {
-        if (holds(samples.values[i], samples.level)) return samples.times[i];
-    }
-    throw std::runtime_error(fmt::format("the level {:g} is never passed", samples.level));
-}
-
-/// Sum of the intervals that begin at a row where `holds(value, level)`.
-template <class Compare>
-double total_time(const Samples& samples, Compare holds) {
-    double total = 0;
-    for (std::size_t i = 0; i + 1 < samples.times.size(); ++i) {
-        if (holds(samples.values[i], samples.level)) total += samples.times[i + 1] - samples.times[i];
-    }
-    return total;
-}
-
-double mean(const Samples& samples) {
-    return std::reduce(samples.values.begin(), samples.values.end()) /
-           static_cast<double>(samples.values.size());
-}
-
-/// std::min_element and max_element would pass over what is not a number.
-template <class Compare>
-double extreme(const Samples& samples, Compare beats) {
-    double most = samples.values.front();
-    for (const double value : samples.values) {
-        if (beats(value, most) || std::isnan(value)) most = value;
-    }
-    return most;
-}
-
-const std::map<std::string, Statistic>& level_statistics() {
-    static const std::map<std::string, Statistic> statistics{
-        {"first_time_above", [](const Samples& s) { return first_time(s, std::greater<>()); }},
-        {"first_time_below", [](const Samples& s) { return first_time(s, std::less<>()); }},
-        {"total_time_above", [](const Samples& s) { return total_time(s, std::greater<>()); }},
-        {"total_time_below", [](const Samples& s) { return total_time(s, std::less<>()); }}};
-    return statistics;
-}
-
-const std::map<std::string, Statistic>& value_statistics() {
-    static const std::map<std::string, Statistic> statistics{
-        {"mean", mean},
-        {"min", [](const Samples& s) { return extreme(s, std::less<>()); }},
-        {"max", [](const Samples& s) { return extreme(s, std::greater<>()); }}};
-    return statistics;
-}
-
-Samples samples_of(const Json& check, const Table& table) {
-    const std::vector<double>& times = table.column("time");
-    const std::vector<double>& values =
-        table.column(check.contains("column") ? check.at("column").get<std::string>() : table.only_column());
-    const double from = check.value("from", -std::numeric_limits<double>::infinity());
-    const double to = check.value("to", std::numeric_limits<double>::infinity());
-    Samples samples{.times = {}, .values = {}, .level = check.value("level", 0.0)};
-    for (std::size_t i = 0; i < times.size(); ++i) {
-        if (times[i] < from || times[i] > to) continue;
-        samples.times.push_back(times[i]);
-        samples.values.push_back(values[i]);
-    }
-    if (samples.times.empty())
-        throw std::runtime_error(fmt::format("{} has no row in the times asked for", table.file.string()));
-    return samples;
-}
-
-CheckResult evaluate_statistic(const Json& check, const FinishedRun& run) {
-    const std::string probe = check.at("probe"), name = check.at("statistic");
-    const Samples samples = samples_of(check, read_table(run.output / (probe + ".csv")));
-    const bool with_level = level_statistics().contains(name);
-    const Statistic& statistic = with_level ? level_statistics().at(name) : value_statistics().at(name);
-    const std::string subject =
-        with_level ? fmt::format("{} {:g} of {}", name, samples.level, probe) : name + " of " + probe;
-    return within_bounds(check, subject, statistic(samples));
-}
-
-std::vector<std::string> names() {
-    std::vector<std::string> all;
-    for (const auto* statistics : {&value_statistics(), &level_statistics()}) {
-        for (const auto& entry : *statistics) all.push_back(entry.first);
-    }
-    return all;
-}
-
-}  // namespace
 
 CheckKind statistic_check() {
     Schema schema("A number taken from a column of a probe's file: a value (mean over the rows) or a time");
-    schema
-        .choice("statistic",
-                {.doc = "What is taken; a time has the resolution of the rows", .choices = names()})
-        .text("probe", {.doc = "Name of a probe among the scene's outputs"})
-        .text("column", {.doc = "Column of the file; needed if it has several beside time", .optional = true})
-        .number("level", {.doc = "Value that the column is compared with (SI)", .optional = true})
-        .number("from", {.unit = "s", .doc = "Earlier rows are left out", .optional = true})
-        .number("to", {.unit = "s", .doc = "Later rows are left out", .optional = true})
-        .text("comment", {.doc = "For readers", .optional = true})
-        .refuse("/level", "a time needs a level, and nothing else has one", [](const Json& own, const Json&) {
-            if (!own.contains("statistic") || !own.at("statistic").is_string()) return false;
-            return level_statistics().contains(own.at("statistic").get<std::string>()) !=
-                   own.contains("level");
-        });
+    describe_statistic(schema);
+    schema.text("comment", {.doc = "For readers", .optional = true});
     describe_bounds(schema);
-    return {"statistic", schema, evaluate_statistic};
+    return {"statistic", schema, [](const Json& check, const FinishedRun& run) {
+                return within_bounds(check, statistic_text(check), statistic_of(check, run.output));
+            }};
 }
 
 }  // namespace matpoint

@@ -51,9 +51,7 @@ class Velocity final : public BoundaryCondition<S> {
     double settled_at() const override {
         double time = 0;
         for (const auto& component : velocity_)
-            if (component)
-                time = std::max(time, component->ends_at_zero() ? component->settled_at()
-                                                                : std::numeric_limits<double>::infinity());
+            if (component) time = std::max(time, component->zero_from());
         return time;
     }
 

@@ -1,6 +1,8 @@
 #include "motion.hpp"
 
+#include <algorithm>
 #include <array>
+#include <limits>
 #include <memory>
 
 namespace matpoint {
@@ -145,6 +147,16 @@ Motion::Vector Motion::place_at(double time) const {
     for (std::size_t a = 0; a < positions_.size(); ++a)
         if (positions_[a]) place[static_cast<Eigen::Index>(a)] = (*positions_[a])({0, 0, 0}, time);
     return place;
+}
+
+double Motion::settled_at() const {
+    if (is_free()) return std::numeric_limits<double>::infinity();
+    double time = rotation_ ? rotation_->zero_from() : 0;
+    for (const auto& velocity : velocities_)
+        if (velocity) time = std::max(time, velocity->zero_from());
+    for (const auto& position : positions_)
+        if (position) time = std::max(time, position->settled_at());
+    return time;
 }
 
 void Motion::begin_step(double time, double dt) {

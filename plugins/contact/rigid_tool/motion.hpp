@@ -42,7 +42,8 @@ class Motion {
     }
     const Vector& centre() const { return centre_; }
     bool is_free() const { return ease_ > 0; }
-    bool is_at_rest() const { return !moves_; }
+    /// From when on it rests, s; infinity if that isn't prescribed.
+    double settled_at() const;
 
     Vector to_start(const Vector& place) const {
         return moves_ ? Vector(start_ + turn_.conjugate() * (place - centre_)) : place;

@@ -39,7 +39,12 @@ class RigidTool final : public Tool<S> {
                         "the gap between the surfaces there",
                  .paper = "[Ma et al. 2005, eq. 8-11]",
                  .default_value = "pressures",
-                 .choices = {"pressures", "nodes"}});
+                 .choices = {"pressures", "nodes"}})
+            .refuse("/bodies", "acts on no body: name some, or leave it out for all",
+                    [](const Json& own, const Json&) {
+                        return own.contains("bodies") && own.at("bodies").is_array() &&
+                               own.at("bodies").empty();
+                    });
     }
 
     explicit RigidTool(const Parameters& parameters)
@@ -51,6 +56,7 @@ class RigidTool final : public Tool<S> {
           end_(parameters.context().scene->at("time").at("end").get<double>()),
           by_particles_(parameters.text("method") == "pressures"),
           forces_("contact_force:" + parameters.text("name")),
+          pressures_("contact_pressure:" + parameters.text("name")),
           overlaps_("contact_overlap:" + parameters.text("name")),
           touching_(geometry_) {
         guarded(*geometry_, "signed_distance", [&] { geometry_->signed_distance(motion_.centre()); });
@@ -63,6 +69,7 @@ class RigidTool final : public Tool<S> {
         particles.require(Field::displacement_gradient);
         if (!by_particles_) return;
         particles.require(forces_, D);
+        particles.require(pressures_, 1);
         particles.require(overlaps_, 1);
     }
 
@@ -103,13 +110,20 @@ class RigidTool final : public Tool<S> {
         impulses.solve(motion_, friction_);
         for (const auto& node : impulses.nodes)
             context.push(node.body, node.place, node.impulse.template cast<Real>());
-        if (by_particles_) keep_forces(context);
+        if (by_particles_) {
+            keep_forces(context);
+            keep_pressures(context);
+        }
         account(context);
         motion_.end_step(context.dt);
         Eigen::Vector3d::Map(report_.position.data()) = motion_.centre();
     }
 
     ContactReport report() const override { return report_; }
+    SignedDistance signed_distance(const Eigen::Vector3d& point) const override {
+        return touching_.signed_distance(point, motion_);
+    }
+    double settled_at() const override { return motion_.settled_at(); }
 
     std::map<std::string, double> state() const override {
         std::map<std::string, double> state = motion_.state();
@@ -190,13 +204,54 @@ class RigidTool final : public Tool<S> {
             if (!acts_on(particles)) continue;
             for (int c = 0; c < D; ++c)
                 std::fill_n(particles.column(particles.slot(forces_), c), particles.size(), Real(0));
+            std::fill_n(particles.column(particles.slot(pressures_), 0), particles.size(), Real(0));
         }
         for (std::size_t k = 0; k < touching_.origins().size(); ++k) {
             const auto& origin = touching_.origins()[k];
             Particles<S>& particles = context.bodies[origin.body];
-            const typename S::Position force = touching_.impulses().points[k].impulse / context.dt;
+            const auto& point = touching_.impulses().points[k];
+            const typename S::Position force = point.impulse / context.dt;
             for (int c = 0; c < D; ++c)
                 particles.column(particles.slot(forces_), c)[origin.particle] = static_cast<Real>(force[c]);
+        }
+    }
+
+    /// Forces over the areas that particles have across the normal, both as nodes see them: those of single
+    /// particles are not unique, those of nodes are.
+    void keep_pressures(const ToolContext<S>& context) {
+        const Impulses<D>& impulses = touching_.impulses();
+        shares_.assign(impulses.nodes.size(), {});
+        const auto visit = [&](const auto& point, const auto& action) {
+            for (std::size_t k = point.begin; k < point.end; ++k) {
+                const auto& part = impulses.parts[k];
+                const double weight = part.weight.dot(point.normal.cwiseAbs2());
+                if (weight > 0) action(shares_[static_cast<std::size_t>(part.node)], weight);
+            }
+        };
+        for (std::size_t k = 0; k < impulses.points.size(); ++k) {
+            const auto& point = impulses.points[k];
+            if (point.impulse.isZero(0)) continue;
+            const auto& origin = touching_.origins()[k];
+            const Particles<S>& particles = context.bodies[origin.body];
+            const double area = particles.value(Field::volume, 0, origin.particle) /
+                                (2 * Touching<S>::half_width(particles, origin.particle, point.normal));
+            visit(point, [&](Share& share, double weight) {
+                share.force += weight * point.impulse.dot(point.normal) / context.dt;
+                share.area += weight * area;
+            });
+        }
+        for (std::size_t k = 0; k < impulses.points.size(); ++k) {
+            const auto& point = impulses.points[k];
+            if (point.impulse.isZero(0)) continue;
+            double pressure = 0, whole = 0;
+            visit(point, [&](const Share& share, double weight) {
+                pressure += weight * share.force / share.area;
+                whole += weight;
+            });
+            const auto& origin = touching_.origins()[k];
+            Particles<S>& particles = context.bodies[origin.body];
+            particles.column(particles.slot(pressures_), 0)[origin.particle] =
+                static_cast<Real>(pressure / whole);
         }
     }
 
@@ -223,13 +278,19 @@ class RigidTool final : public Tool<S> {
         Eigen::Vector3d::Map(report_.impulse.data()) += force * context.dt;
     }
 
+    /// What a node gets of forces, N, and of the areas that they act on, m^2.
+    struct Share {
+        double force = 0, area = 0;
+    };
+
     std::vector<std::string> bodies_;  ///< empty: all
     std::shared_ptr<Geometry> geometry_;
     Motion motion_;
     double friction_, end_;  ///< coefficient; s, of the run
     bool by_particles_;
-    std::string forces_, overlaps_;  ///< fields of the particles, N, and m at the start
+    std::string forces_, pressures_, overlaps_;  ///< fields of the particles, N, Pa, and m at the start
     Touching<S> touching_;
+    std::vector<Share> shares_;  ///< by node of the impulses
     ContactReport report_;
 };
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "domain_box.hpp"
 #include "impulses.hpp"
 #include "motion.hpp"
 
 #include <matpoint/contact.hpp>
+#include <matpoint/domain_box.hpp>
 #include <matpoint/geometry.hpp>
 #include <matpoint/parallel.hpp>
 #include <matpoint/spline.hpp>
@@ -35,6 +35,12 @@ class Touching {
     Touching(std::shared_ptr<const Geometry> geometry) : geometry_(std::move(geometry)) {}
 
     double distance(const Vector& place, const Motion& tool) const { return surface(place, tool).distance; }
+    /// Of a place, from the tool's surface as it is now.
+    SignedDistance signed_distance(const Eigen::Vector3d& place, const Motion& tool) const {
+        const SignedDistance found = guarded(
+            *geometry_, "signed_distance", [&] { return geometry_->signed_distance(tool.to_start(place)); });
+        return {found.distance, tool.from_start(found.normal)};
+    }
     Impulses<D>& impulses() { return impulses_; }
     const std::vector<Origin>& origins() const { return origins_; }
 
@@ -102,10 +108,27 @@ class Touching {
         surroundings_of_.resize(static_cast<std::size_t>(patch.node_count()), -1);
         const double reach = (2 * spline_->reach() + 1) * patch.cell_size().norm();
         for_near(patch, particles, tool, reach, [&](Index p) {
-            visit_images(context, patch, domain_box(patch, particles, p),
-                         [&](const DomainBox<S>& box) { measure(context, patch, box, tool); });
+            const DomainBox<S> own(patch, particles, p);
+            visit_images(
+                patch, own, 2 * spline_->reach(),
+                [&](int axis, int side) { return mirrors(context, patch, own, axis, side); },
+                [&](const DomainBox<S>& box) { measure(context, patch, box, tool); });
         });
         for (const Surroundings& node : surroundings_) add_node(context, body, node, tool);
+    }
+
+    /// Half of what a particle's deformed domain measures along a direction, m: of a box with the same second
+    /// moment along it. That of a box's corner would lift a body which turns, and press it in at once by the
+    /// tip of a wedge as far as by a flat punch.
+    static double half_width(const Particles<S>& particles, Index p, const Vector& along) {
+        const auto f = ParticleBatch<S>::load_deformation_gradient(particles, p);
+        double square = 0;
+        for (int b = 0; b < D; ++b) {
+            const double half = along.dot(f.plane.col(b).template cast<double>()) *
+                                static_cast<double>(particles.column(Field::initial_half_size, b)[p]);
+            square += half * half;
+        }
+        return std::sqrt(square);
     }
 
   private:
@@ -125,27 +148,11 @@ class Touching {
         Vector normal;
     };
     Surface surface(const Vector& place, const Motion& tool) const {
-        const auto found = guarded(*geometry_, "signed_distance", [&] {
-            return geometry_->signed_distance(tool.to_start(Impulses<D>::full(place)));
-        });
-        return {found.distance, tool.from_start(found.normal).template head<D>()};
+        const SignedDistance found = signed_distance(Impulses<D>::full(place), tool);
+        return {found.distance, found.normal.template head<D>()};
     }
     static Vector velocity_of(const Motion& tool, const Vector& place) {
         return tool.velocity_at(Impulses<D>::full(place)).template head<D>();
-    }
-
-    /// Half of what a particle's deformed domain measures along a direction, m: of a box with the same second
-    /// moment along it. That of a box's corner would lift a body which turns, and press it in at once by the
-    /// tip of a wedge as far as by a flat punch.
-    static double half_width(const Particles<S>& particles, Index p, const Vector& along) {
-        const auto f = ParticleBatch<S>::load_deformation_gradient(particles, p);
-        double square = 0;
-        for (int b = 0; b < D; ++b) {
-            const double half = along.dot(f.plane.col(b).template cast<double>()) *
-                                static_cast<double>(particles.column(Field::initial_half_size, b)[p]);
-            square += half * half;
-        }
-        return std::sqrt(square);
     }
 
     /// Visits the particles that are in groups of which one may be as near as `reach` (m).
@@ -213,33 +220,17 @@ class Touching {
         impulses_.parts.push_back({number, weight});
     }
 
-    /// Behind a wall lies the image of what is before it.
-    template <class Visit>
-    void visit_images(const ToolContext<S>& context, const Patch<S>& patch, const DomainBox<S>& own,
-                      const Visit& visit) const {
-        std::array<DomainBox<S>, 1 << D> images;
-        std::size_t count = 1;
-        images[0] = own;
-        for (int a = 0; a < D; ++a)
-            for (int side = 0; side < 2; ++side) {
-                const auto axis = static_cast<std::size_t>(a);
-                const int wall = side == 0 ? 0 : patch.cells()[axis];
-                const double reach = 2 * spline_->reach() + own.half_size[a];
-                if (std::abs(own.centre[a] - wall) > reach || 2 * count > images.size()) continue;
-                Coordinates beside;
-                for (std::size_t b = 0; b < D; ++b)
-                    beside[b] = std::clamp(static_cast<int>(std::lround(own.centre[static_cast<int>(b)])), 0,
-                                           patch.cells()[b]);
-                beside[axis] = wall;
-                const int place = patch.node_index(beside);
-                if (place < 0 || !is_prescribed(context, place, a)) continue;
-                for (std::size_t k = 0; k < count; ++k) {
-                    images[count + k] = images[k];
-                    images[count + k].centre[a] = 2 * wall - images[k].centre[a];
-                }
-                count *= 2;
-            }
-        for (std::size_t k = 0; k < count; ++k) visit(images[k]);
+    /// Whether a face of the grid does beside a domain: it prescribes what goes through it there.
+    static bool mirrors(const ToolContext<S>& context, const Patch<S>& patch, const DomainBox<S>& own,
+                        int axis, int side) {
+        Coordinates beside;
+        for (std::size_t b = 0; b < D; ++b)
+            beside[b] = std::clamp(static_cast<int>(std::lround(own.centre[static_cast<int>(b)])), 0,
+                                   patch.cells()[b]);
+        const auto along = static_cast<std::size_t>(axis);
+        beside[along] = side == 0 ? 0 : patch.cells()[along];
+        const int place = patch.node_index(beside);
+        return place >= 0 && is_prescribed(context, place, axis);
     }
 
     /// Adds a domain to what is around the nodes that the tool reaches.

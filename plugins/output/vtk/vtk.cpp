@@ -6,6 +6,7 @@
 #include <matpoint/field_shape.hpp>
 #include <matpoint/output_file.hpp>
 #include <matpoint/plugin.hpp>
+#include <optional>
 #include <utility>
 
 #include "pvd_file.hpp"
@@ -90,20 +91,39 @@ struct Snapshot {
     FieldCopy position;
     std::vector<std::int32_t> body_numbers;
     std::vector<FieldCopy> fields;
+    std::optional<SurfaceMesh> tools;
+    std::vector<std::int32_t> tool_numbers;  ///< by point of the tools
 };
+
+/// Adds the surfaces of all tools, and which each point belongs to, from 0.
+void add_tools(const RunView& run, Snapshot& snapshot) {
+    std::int32_t number = 0;
+    for (const std::string& contact : run.contacts()) {
+        const SurfaceMesh own = run.tool_surface(contact);
+        if (own.points.empty()) continue;
+        SurfaceMesh& all = snapshot.tools ? *snapshot.tools : snapshot.tools.emplace();
+        const auto first = static_cast<std::int64_t>(all.points.size() / 3);
+        all.corners = own.corners;
+        all.points.insert(all.points.end(), own.points.begin(), own.points.end());
+        for (const std::int64_t point : own.cells) all.cells.push_back(first + point);
+        snapshot.tool_numbers.resize(all.points.size() / 3, number++);
+    }
+}
 
 }  // namespace
 
-/// Particles for ParaView: a .vtp file per write with all bodies, and a .pvd file with the times.
+/// Particles for ParaView, and tools: a .vtp file per write with all bodies, one with all tools, and a .pvd
+/// file with the times.
 class Vtk final : public Output {
   public:
     static Schema schema() {
         Schema schema(
-            "Particles as VTK files for ParaView: one .vtp file per write, one .pvd file for the times.");
+            "Particles as VTK files for ParaView: one .vtp file per write, one with the surfaces of tools, "
+            "one .pvd file for the times.");
         add_file_name(schema,
                       {.doc = "First part of the files' names; <name>.pvd is ParaView's list of all.",
                        .default_value = "particles"},
-                      {"<name>.pvd", "<name>_<number>.vtp"});
+                      {"<name>.pvd", "<name>_<number>.vtp", "<name>_tools_<number>.vtp"});
         schema
             .add("fields", ParameterType::texts,
                  {.doc = "Fields written for each particle; NaN where a body does not carry one.",
@@ -133,15 +153,18 @@ class Vtk final : public Output {
         folder_ = folder;
         for (const std::string& field : fields_) expect_field(run, observed_bodies(run, body_), field);
         series_.open(folder / (name_ + ".pvd"), resumed_at);
-        remove_numbered(folder, name_ + "_", ".vtp", series_.size());
+        for (const char* part : {"_", "_tools_"})
+            remove_numbered(folder, name_ + part, ".vtp", series_.size());
     }
 
     void write(const RunView& run) override {
         writer_.wait();
         if (series_.ends_at(run.time())) return;
         const std::vector<std::string> bodies = observed_bodies(run, body_);
-        Snapshot snapshot{run.time(), copy_of(run, bodies, "position"), body_numbers(run, bodies), {}};
+        Snapshot snapshot{run.time(), copy_of(run, bodies, "position"), body_numbers(run, bodies), {}, {},
+                          {}};
         for (const std::string& field : fields_) snapshot.fields.push_back(copy_of(run, bodies, field));
+        add_tools(run, snapshot);
         writer_.submit([this, taken = std::move(snapshot)]() mutable { write_file(taken); });
     }
     void flush() override { writer_.wait(); }
@@ -167,9 +190,15 @@ class Vtk final : public Output {
             const FieldCopy field = std::exchange(next, {});
             file.add_point_data(field.name, field.width, interleaved(field));
         }
-        const std::string file_name = fmt::format("{}_{:06}.vtp", name_, series_.size());
-        file.write(folder_ / file_name);
-        series_.add(snapshot.time, file_name);
+        std::vector<std::string> files{fmt::format("{}_{:06}.vtp", name_, series_.size())};
+        file.write(folder_ / files[0]);
+        if (const auto& tools = snapshot.tools) {
+            VtpFile surfaces(tools->points, tools->cells, tools->corners, snapshot.time, single_);
+            surfaces.add_point_data("tool", snapshot.tool_numbers);
+            files.push_back(fmt::format("{}_tools_{:06}.vtp", name_, series_.size()));
+            surfaces.write(folder_ / files[1]);
+        }
+        series_.add(snapshot.time, files);
     }
 
     std::string name_;

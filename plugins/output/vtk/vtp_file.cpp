@@ -41,16 +41,29 @@ void append_compressed(std::string& to, const char* bytes, std::size_t size) {
     to += data;
 }
 
+std::vector<std::int64_t> from_zero(std::size_t count) {
+    std::vector<std::int64_t> numbers(count);
+    std::iota(numbers.begin(), numbers.end(), 0);
+    return numbers;
+}
+
 }  // namespace
 
 VtpFile::VtpFile(const std::vector<double>& points, double time, bool single)
-    : single_(single), count_(points.size() / 3), time_(time) {
+    : VtpFile(points, from_zero(points.size() / 3), 1, time, single) {}
+
+VtpFile::VtpFile(const std::vector<double>& points, const std::vector<std::int64_t>& cells, int corners,
+                 double time, bool single)
+    : single_(single),
+      count_(points.size() / 3),
+      cell_count_(cells.size() / static_cast<std::size_t>(corners)),
+      corners_(corners),
+      time_(time) {
     points_ = real_array("Points", 3, points);
-    std::vector<std::int64_t> numbers(count_);
-    std::iota(numbers.begin(), numbers.end(), 0);
-    vertices_ = array("Int64", "connectivity", 1, numbers);
-    std::iota(numbers.begin(), numbers.end(), 1);
-    vertices_ += array("Int64", "offsets", 1, numbers);
+    cells_ = array("Int64", "connectivity", 1, cells);
+    std::vector<std::int64_t> ends = from_zero(cell_count_);
+    for (std::int64_t& end : ends) end = (end + 1) * corners;
+    cells_ += array("Int64", "offsets", 1, ends);
 }
 
 void VtpFile::add_point_data(const std::string& name, int components, const std::vector<double>& values) {
@@ -81,6 +94,8 @@ std::string VtpFile::array(const char* type, const std::string& name, int compon
 }
 
 void VtpFile::write(const std::filesystem::path& file) const {
+    const char* const kind = corners_ == 1 ? "Verts" : corners_ == 2 ? "Lines" : "Polys";
+    const auto count_if = [&](int corners) { return std::min(corners_, 3) == corners ? cell_count_ : 0; };
     matpoint::OutputFile out(file);
     out.write(fmt::format(
         "<?xml version=\"1.0\"?>\n"
@@ -91,16 +106,17 @@ void VtpFile::write(const std::filesystem::path& file) const {
         "      <DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" "
         "format=\"ascii\">{}</DataArray>\n"
         "    </FieldData>\n"
-        "    <Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"0\" NumberOfStrips=\"0\" "
-        "NumberOfPolys=\"0\">\n"
+        "    <Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"{}\" NumberOfStrips=\"0\" "
+        "NumberOfPolys=\"{}\">\n"
         "      <PointData>\n{}      </PointData>\n"
         "      <Points>\n{}      </Points>\n"
-        "      <Verts>\n{}      </Verts>\n"
+        "      <{}>\n{}      </{}>\n"
         "    </Piece>\n"
         "  </PolyData>\n"
         "  <AppendedData encoding=\"raw\">\n_",
         std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian",
-        matpoint::number_text(time_), count_, count_, point_data_, points_, vertices_));
+        matpoint::number_text(time_), count_, count_if(1), count_if(2), count_if(3), point_data_, points_,
+        kind, cells_, kind));
     out.write(appended_);
     out.write("\n  </AppendedData>\n</VTKFile>\n");
     out.commit();
