@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Makes the pictures of README.md and of the tutorials from runs of their scenes.
+"""Makes the pictures of README.md, of the tutorials and of the wedge of verification/ma_2005 from runs of their scenes.
 
 usage: pictures.py MATPOINT [NAME]...    (the executable; which pictures, all by default)
 
@@ -26,6 +26,7 @@ HERE = Path(__file__).resolve().parent
 PICTURES = HERE / "pictures"
 COLOURS = matplotlib.colors.ListedColormap(matplotlib.colormaps["turbo"](np.linspace(0.1, 0.97, 256)))
 KNOT = HERE.parent / "verification" / "stl_bounce" / "bounce.json"
+WEDGE = HERE.parent / "verification" / "ma_2005" / "wedge.json"
 
 plt.rcParams.update({"font.size": 10, "axes.titlesize": 10, "figure.titlesize": 12, "axes.spines.top": False,
                      "axes.spines.right": False, "figure.facecolor": "white"})
@@ -62,9 +63,9 @@ def mises(stress):
     return np.sqrt(((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2) / 2 + 3 * (xy**2 + yz**2 + xz**2))
 
 
-def save(figure, name):
-    PICTURES.mkdir(exist_ok=True)
-    file = PICTURES / f"{name}.png"
+def save(figure, name, folder=PICTURES):
+    folder.mkdir(exist_ok=True)
+    file = folder / f"{name}.png"
     figure.savefig(file, dpi=110, bbox_inches="tight", pad_inches=0.08)
     plt.close(figure)
     Image.open(file).convert("RGB").quantize(128, dither=Image.Dither.NONE).save(file, optimize=True)
@@ -154,6 +155,27 @@ def contact(matpoint, folder):
     save(figure, "06_contact")
 
 
+def wedge(matpoint, folder):
+    run = Run(matpoint, WEDGE, folder, "--set", "/grid/cell_size=250e-9", "--set",
+              '/outputs=[{"type":"vtk","every":"100 ns","fields":["stress"]}]')
+    points, fields = run.particles(100e-9)
+    x, y = points[:, 0] * 1e6, points[:, 1] * 1e6
+    xx, yy, zz, xy, yz, xz = fields["stress"].T / 1e9
+    figure, axes = plt.subplots(1, 2, figsize=(10, 3.6), layout="constrained")
+    shown = [(axes[0], yy, yy, (-4, 0), "stress yy, GPa", (-30, 30, 0, 44), 0.9), (axes[1], xy, -xy, (-2, 2), "stress xy, GPa", (-5, 5, 33.5, 41), 20)]
+    for axis, right, left, limits, label, (x_min, x_max, y_min, y_max), size in shown:
+        drawn = axis.scatter(np.concatenate([x, -x]), np.concatenate([y, y]), c=np.concatenate([right, left]), s=size, cmap=COLOURS,
+                             vmin=limits[0], vmax=limits[1], linewidths=0, marker="s")
+        tip, height = 40 - 0.45, 10
+        across = height * np.tan(np.radians(68))
+        axis.add_patch(matplotlib.patches.Polygon([(0, tip), (across, tip + height), (-across, tip + height)], facecolor="0.85", edgecolor="0.3"))
+        axis.set(xlim=(x_min, x_max), ylim=(y_min, y_max), aspect="equal", xlabel="μm")
+        figure.colorbar(drawn, ax=axis, label=label, pad=0.01, shrink=0.85)
+    axes[0].set_ylabel("μm")
+    figure.suptitle("A rigid wedge, 450 nm deep in aluminium")
+    save(figure, "wedge", WEDGE.parent / "pictures")
+
+
 def blurred(image, times):
     """Mean over a pixel and its neighbours, several times."""
     for _ in range(times):
@@ -214,7 +236,7 @@ def knot(matpoint, folder):
 
 
 DRAWN = {"01_pulled_bar": pulled_bar, "02_bouncing_disk": bouncing_disk, "03_metal_impact": metal_impact, "04_press": press,
-         "05_own_particles": own_particles, "06_contact": contact, "knot": knot}
+         "05_own_particles": own_particles, "06_contact": contact, "knot": knot, "wedge": wedge}
 
 
 def main(matpoint, *names):
