@@ -9,6 +9,7 @@
 #include <matpoint/parallel.hpp>
 #include <matpoint/spline.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -289,24 +290,51 @@ class Touching {
 
     void add_node(const ToolContext<S>& context, std::size_t body, const Surroundings& around,
                   const Motion& tool) {
-        constexpr double least = 1e-5;  // cells of a body around a node; less is rounding
+        constexpr double least = 1e-5;   // cells of a body around a node; less is rounding
+        constexpr double beside = 1e-6;  // cells
+        constexpr double same = 0.999;   // cosine of the angle between normals
         const Patch<S>& patch = *context.nodes[body];
-        // The spline has the same second moment along every direction: that of a cell of this size.
-        const double cell = around.normal.cwiseProduct(patch.cell_size()).norm();
-        if (!(around.size > least) || around.distance >= spline_->reach() * cell) return;
+        if (!(around.size > least) || around.distance >= spline_->reach() * cell_along(patch, around.normal))
+            return;
         if (!(patch.column(NodeField::mass)[around.place] > 0)) return;
-        const double gap = around.distance -
-                           cell * spline_->surface(-around.normal.dot(around.moment) / (around.size * cell));
+        add_node(context, body, around, around.normal, tool);
+        // Where sides of the tool are as near as each other, on the axis of a wedge, each of them is met.
+        std::array<Vector, 2 * D + 1> known{around.normal};
+        std::size_t count = 1;
+        for (const double step : {-beside, beside})
+            for (int a = 0; a < D; ++a) {
+                const Vector normal =
+                    surface(around.position + step * patch.cell_size()[a] * Vector::Unit(a), tool).normal;
+                const auto is_same = [&](const Vector& other) { return other.dot(normal) > same; };
+                if (std::any_of(known.begin(), known.begin() + count, is_same)) continue;
+                known[count++] = normal;
+                add_node(context, body, around, normal, tool);
+            }
+    }
+
+    /// The spline has the same second moment along every direction: that of a cell of this size, m.
+    static double cell_along(const Patch<S>& patch, const Vector& normal) {
+        return normal.cwiseProduct(patch.cell_size()).norm();
+    }
+
+    /// Against the side of the tool that has this normal.
+    void add_node(const ToolContext<S>& context, std::size_t body, const Surroundings& around,
+                  const Vector& normal, const Motion& tool) {
+        const Patch<S>& patch = *context.nodes[body];
+        const double cell = cell_along(patch, normal);
+        const double gap =
+            around.distance - cell * spline_->surface(-normal.dot(around.moment) / (around.size * cell));
+        const Vector place = around.position - around.distance * normal;
         const Vector w =
-            context.velocity(body, around.place).template cast<double>() - velocity_of(tool, around.position);
+            context.velocity(body, around.place).template cast<double>() - velocity_of(tool, place);
         const double target = -std::max(gap, 0.0) / context.dt;
-        if (!tool.is_free() && w.dot(around.normal) >= target) return;
+        if (!tool.is_free() && w.dot(normal) >= target) return;
         const std::size_t first = impulses_.parts.size();
         add_part(context, body, patch.node_coordinates(around.place), Vector::Ones());
         impulses_.points.push_back({.begin = first,
                                     .end = impulses_.parts.size(),
-                                    .place = around.position,
-                                    .normal = around.normal,
+                                    .place = place,
+                                    .normal = normal,
                                     .target = target});
         origins_.push_back({body, -1, gap});
     }
