@@ -97,18 +97,17 @@ struct ToolContext {
                    nodes[body]->column(NodeField::acceleration, c)[node] * static_cast<Real>(dt);
         return v;
     }
-    /// Gives a node of a body an impulse (N s), in the components that are free; what was given.
-    Vector push(std::size_t body, int node, const Vector& amount) {
+    /// Gives a node of a body an impulse (N s); boundary conditions take it along the components that they
+    /// prescribe.
+    void push(std::size_t body, int node, const Vector& amount) {
         const Real mass = nodes[body]->column(NodeField::mass)[node], step = static_cast<Real>(dt);
-        Vector given = Vector::Zero();
+        if (!(mass > 0)) return;
         for (int c = 0; c < S::dimension; ++c) {
-            if ((prescribed[static_cast<std::size_t>(node)] >> c & 1) != 0 || !(mass > 0)) continue;
-            given[c] = amount[c];
-            nodes[body]->column(NodeField::acceleration, c)[node] += given[c] / (mass * step);
-            nodes[body]->column(NodeField::force, c)[node] += given[c] / step;
+            if ((prescribed[static_cast<std::size_t>(node)] >> c & 1) == 0)
+                nodes[body]->column(NodeField::acceleration, c)[node] += amount[c] / (mass * step);
+            nodes[body]->column(NodeField::force, c)[node] += amount[c] / step;
         }
-        pushes.push_back({node, given});
-        return given;
+        pushes.push_back({node, amount});
     }
 };
 

@@ -7,8 +7,8 @@
 namespace matpoint {
 
 namespace {
-/// Shares of a node's mass below which a layer is not there: what is measured of it is rounding.
-constexpr double least_share = 1e-5;
+/// Shares of a node's mass below which a layer is not there: rounding. Densities may be 1e6 of each other.
+constexpr double least_share = 1e-12;
 /// Cells.
 constexpr double largest_half_size = 2;
 /// Nodes along an axis that a domain may reach.

@@ -11,6 +11,8 @@ namespace {
 /// Where more than two bodies meet: until impulses change by less than this part, or so many sweeps are done.
 constexpr double agreement = 1e-10;
 constexpr int most_sweeps = 200;
+/// Cells; a layer that has less around a node is not there: what is measured of it is rounding.
+constexpr double least_size = 1e-5;
 }  // namespace
 
 template <class S>
@@ -34,7 +36,9 @@ void ContactPairs<S>::orient() {
     for (const auto& node : nodes_.nodes())
         for (std::size_t i = node.begin; i < node.end; ++i)
             for (std::size_t j = i + 1; j < node.end; ++j) {
-                const std::size_t first = nodes_.shares()[i].layer, second = nodes_.shares()[j].layer;
+                const auto& shares = nodes_.shares();
+                if (std::min(shares[i].size, shares[j].size) < least_size) continue;
+                const std::size_t first = shares[i].layer, second = shares[j].layer;
                 const auto law = static_cast<std::size_t>(layers_.law_between(first, second));
                 const PlacedContact<S>& placed = contacts_[law];
                 Vector normal;
@@ -157,14 +161,19 @@ void ContactPairs<S>::resolve_together(double dt) {
 
 template <class S>
 void ContactPairs<S>::resolve(std::span<const Vector> velocity, std::span<const unsigned char> prescribed,
-                              double dt, std::vector<Vector>& change) {
+                              double dt, std::vector<Change>& change) {
     velocity_.assign(velocity.begin(), velocity.end());
     prescribed_ = prescribed;
     for (Pair& pair : pairs_) pair.impulse = Vector::Zero();
     resolve_alone(dt);
     resolve_together(dt);
     change.resize(velocity.size());
-    for (std::size_t k = 0; k < velocity.size(); ++k) change[k] = velocity_[k] - velocity[k];
+    for (std::size_t k = 0; k < velocity.size(); ++k)
+        change[k] = {velocity_[k] - velocity[k], Vector::Zero()};
+    for (const Pair& pair : pairs_) {
+        change[pair.first].impulse -= pair.impulse;
+        change[pair.second].impulse += pair.impulse;
+    }
 }
 
 template <class S>

@@ -29,10 +29,16 @@ class ContactPairs {
     /// Normals and gaps at the nodes that were found.
     void orient();
 
-    /// By share of a node (MeetingNodes::shares), m/s: sets `change` to what contact changes `velocity` by
-    /// within a step of dt (s). `prescribed`, by node: a bit for each component that is.
+    /// What contact does to a share of a node. Boundary conditions take the impulse along the components that
+    /// they prescribe.
+    struct Change {
+        Vector velocity;  ///< m/s
+        Vector impulse;   ///< N s
+    };
+    /// By share of a node (MeetingNodes::shares): what contact does to `velocity`, m/s, within a step of dt
+    /// (s). `prescribed`, by node: a bit for each component that is.
     void resolve(std::span<const Vector> velocity, std::span<const unsigned char> prescribed, double dt,
-                 std::vector<Vector>& change);
+                 std::vector<Change>& change);
     /// Adds what the last resolve() did to the reports of a step of dt (s), at whose start nodes had the
     /// velocity `start`.
     void report(std::span<const Vector> start, double dt);

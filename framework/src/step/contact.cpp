@@ -58,7 +58,7 @@ void Engine<S>::separate(NodeField velocity) {
     for (std::size_t k = 0; k < shares.size(); ++k)
         for (int c = 0; c < S::dimension; ++c)
             patch_.column(velocity, c)[shares[k].place] =
-                static_cast<Real>(meeting_[k][c] + separation_[k][c]);
+                static_cast<Real>(meeting_[k][c] + separation_[k].velocity[c]);
     if (velocity == NodeField::velocity) pairs_->report(meeting_, dt_);
 }
 
@@ -70,7 +70,8 @@ void Engine<S>::rejoin() {
             patch_.column(NodeField::velocity, c)[shares[k].place] = static_cast<Real>(meeting_[k][c]);
 }
 
-/// Impulses become forces of the step: walls, light nodes and transfers treat them as any other.
+/// Impulses become forces of the step: walls, light nodes and transfers treat them as any other. Walls take
+/// what contact gives to the components that they prescribe.
 template <class S>
 void Engine<S>::add_contact_forces(Real dt) {
     if (!pairs_->meet()) return;
@@ -85,18 +86,19 @@ void Engine<S>::add_contact_forces(Real dt) {
         }
     const bool separated = !separation_.empty();
     if (separated)
-        for (std::size_t k = 0; k < shares.size(); ++k) meeting_[k] += separation_[k];
+        for (std::size_t k = 0; k < shares.size(); ++k) meeting_[k] += separation_[k].velocity;
     pairs_->resolve(meeting_, walls_.prescribed_components(), dt_, change_);
     pairs_->report(start_, dt_);
     for (std::size_t k = 0; k < shares.size(); ++k) {
-        const typename S::Position gained =
-            separated ? typename S::Position(change_[k] + separation_[k]) : change_[k];
-        change_[k] = gained;
+        if (separated) {
+            change_[k].velocity += separation_[k].velocity;
+            change_[k].impulse += separation_[k].impulse;
+        }
         for (int c = 0; c < S::dimension; ++c) {
-            const auto acceleration = static_cast<Real>(gained[c] / dt_);
-            patch_.column(NodeField::acceleration, c)[shares[k].place] += acceleration;
+            patch_.column(NodeField::acceleration, c)[shares[k].place] +=
+                static_cast<Real>(change_[k].velocity[c] / dt_);
             patch_.column(NodeField::force, c)[shares[k].place] +=
-                acceleration * static_cast<Real>(shares[k].mass);
+                static_cast<Real>(change_[k].impulse[c] / dt_);
         }
     }
     separation_.clear();
@@ -129,7 +131,7 @@ void Engine<S>::add_contact_work(Real dt) {
         const auto& shares = pairs_->nodes().shares();
         for (std::size_t k = 0; k < shares.size(); ++k)
             for (int c = 0; c < S::dimension; ++c)
-                tally_.contact -= shares[k].mass * change_[k][c] * way(shares[k].place, c);
+                tally_.contact -= change_[k].impulse[c] * way(shares[k].place, c);
     }
     for (const auto& push : pushes_)
         for (int c = 0; c < S::dimension; ++c)

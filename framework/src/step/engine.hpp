@@ -260,11 +260,12 @@ class Engine final : public Phases<S> {
     HeldParts<S> held_parts_;
     LightNodes<S> light_nodes_;
     std::vector<Patch<S>> further_layers_;
-    std::vector<Patch<S>*> layers_, nodes_of_;                    ///< of the nodes: all, and by body
-    std::optional<ContactPairs<S>> pairs_;                        ///< if bodies have velocities of their own
-    std::vector<typename ToolContext<S>::Push> pushes_;           ///< by tools, in this step
-    std::vector<typename S::Position> start_, meeting_, change_;  ///< by share of a meeting node, m/s
-    std::vector<typename S::Position> separation_;  ///< what separate() has added, until forces act; likewise
+    std::vector<Patch<S>*> layers_, nodes_of_;           ///< of the nodes: all, and by body
+    std::optional<ContactPairs<S>> pairs_;               ///< if bodies have velocities of their own
+    std::vector<typename ToolContext<S>::Push> pushes_;  ///< by tools, in this step
+    std::vector<typename S::Position> start_, meeting_;  ///< by share of a meeting node, m/s
+    /// By share of a meeting node: what contact did in the step, and what separate() did until forces act.
+    std::vector<typename ContactPairs<S>::Change> change_, separation_;
     bool terms_added_ = false;  ///< whether NodeField::velocity has more terms than it is accelerated with
     bool located_ = false;
     bool off_grid_ = true;  ///< whether a particle may have left the grid
