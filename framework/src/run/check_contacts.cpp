@@ -36,6 +36,12 @@ template <class S>
 Findings check_contacts(const SceneParts<S>& parts, std::span<const PlacedContact<S>> contacts) {
     Findings findings;
     for (std::size_t k = 0; k < contacts.size(); ++k) {
+        const Json friction = parts.scene.at("contacts")[k].value("friction", Json(0));
+        if (contacts[k].rule.normal == PairRule::Normal::average &&
+            contacts[k].rule.gap == PairRule::Gap::particles && friction.is_number() && friction != 0)
+            findings.push_back({false, fmt::format("/contacts/{}/normal", k),
+                                "with gaps by particles, edges of bodies plough by average normals: friction "
+                                "may be twice what is asked for; take \"regression\" or a fixed normal"});
         if (contacts[k].rule.gap != PairRule::Gap::moment) continue;
         for (const std::size_t body : contacts[k].bodies) {
             const double cells = thickness(parts.patch, parts.bodies[body]);

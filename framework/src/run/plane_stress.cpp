@@ -322,13 +322,15 @@ class PlaneStress final : public Material<S> {
 /// Puts the plane stress of a material in the place of its plane strain.
 template <class S>
 void replace(Registry::Entry& entry) {
-    using A = typename PlaneStress<S>::A;
-    const Factory within = entry.make[static_cast<std::size_t>(SpaceId::of<A>().index())];
-    entry.make[static_cast<std::size_t>(SpaceId::of<S>().index())] =
-        [within](const Parameters& parameters) -> std::shared_ptr<Component> {
-        return std::make_shared<PlaneStress<S>>(parameters,
-                                                std::static_pointer_cast<Material<A>>(within(parameters)));
-    };
+    if constexpr (S::mode == Mode::plane_strain) {
+        using A = typename PlaneStress<S>::A;
+        const Factory within = entry.make[static_cast<std::size_t>(SpaceId::of<A>().index())];
+        entry.make[static_cast<std::size_t>(SpaceId::of<S>().index())] =
+            [within](const Parameters& parameters) -> std::shared_ptr<Component> {
+            return std::make_shared<PlaneStress<S>>(
+                parameters, std::static_pointer_cast<Material<A>>(within(parameters)));
+        };
+    }
 }
 
 }  // namespace
@@ -338,8 +340,9 @@ Registry with_plane_stress(const Registry& registry) {
     for (const auto& [name, entry] : registry.entries()) {
         Registry::Entry own = entry;
         if (own.kind == "material") {
-            replace<PlaneStrain>(own);
-            replace<PlaneStrainSingle>(own);
+#define MATPOINT_REPLACE(S) replace<S>(own);
+            MATPOINT_FOR_EACH_SPACE(MATPOINT_REPLACE)
+#undef MATPOINT_REPLACE
         }
         result.add(std::move(own));
     }
