@@ -19,11 +19,10 @@ Schema space_schema() {
         .choice(
             "precision",
             {.doc = "Of floating-point numbers", .default_value = "double", .choices = {"double", "single"}})
-        .refuse(
-            "/precision",
-            "this Matpoint was built for double precision alone, which takes half the time: build it with "
-            "-DMATPOINT_SINGLE_PRECISION=ON",
-            [](const Json& own, const Json&) { return !has_single && own.at("precision") == "single"; });
+        .refuse("/precision",
+                "this Matpoint was built for double precision alone: build it with "
+                "-DMATPOINT_SINGLE_PRECISION=ON",
+                [](const Json& own, const Json&) { return !has_single && own.at("precision") == "single"; });
 }
 
 Schema time_schema() {
