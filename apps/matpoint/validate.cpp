@@ -2,6 +2,7 @@
 #include "run_command.hpp"
 #include "verbs.hpp"
 
+#include "grid/level_fields.hpp"
 #include "run/memory.hpp"
 #include "run/resource_error.hpp"
 #include "verify/load_scene.hpp"
@@ -20,6 +21,7 @@ namespace {
 /// What a particle field is there for.
 std::string reason_for(const std::string& name) {
     const auto field = field_from_name(name);
+    if (name == level_field || name == refinement_field) return "levels of the grid";
     if (!field) return "a component's own state";
     switch (*field) {
         case Field::position:
@@ -76,6 +78,16 @@ void print_body(const Simulation& simulation, const SeededBody& seeded) {
     std::cout << fmt::format("\n{}", fmt::join(lines, ""));
 }
 
+void print_levels(const Simulation& simulation) {
+    const Json levels = simulation.levels();
+    if (levels.is_null()) return;
+    for (const Json& level : levels.at("levels"))
+        std::cout << fmt::format("  level {}: {} cells, {} particles\n", &level - &levels.at("levels")[0],
+                                 level.at("cells").get<long>(), level.at("particles").get<long>());
+    std::cout << fmt::format("  {:.3g} of the cells of a uniform grid as fine\n",
+                             levels.at("cells_over_uniform").get<double>());
+}
+
 /// Says what the guard of a run would say of its first step; false if that would end the run.
 bool passes_first_step(Simulation& simulation) {
     try {
@@ -103,6 +115,7 @@ bool validate_file(const std::filesystem::path& file, const std::vector<std::str
                              simulation->stable_step(), fixed ? "" : "about ", simulation->estimated_steps());
     std::cout << fmt::format("  {} particles; memory {}\n", simulation->particle_count(),
                              memory_text(static_cast<double>(simulation->memory_bytes())));
+    print_levels(*simulation);
     for (const SeededBody& body : simulation->seeded_bodies()) print_body(*simulation, body);
     std::cout << fmt::format("  node fields: {}\n", fmt::join(simulation->node_fields(), ", "));
     std::vector<std::string> plugins;

@@ -23,10 +23,11 @@ template <class S>
 void add_at_surface(LoadContext<S>& context, const Face<S>& face, const Particles<S>& particles, Index p,
                     const typename S::Vector& force) {
     using Real = typename S::Real;
-    Patch<S>& patch = context.nodes_of(particles);
+    const typename S::Position place = face.surface_point(particles, p);
+    Patch<S>& patch = context.nodes_at(particles, place);
     typename S::Vector half = present_half_size(particles, p);
     half[face.axis()] = 0;
-    const auto stencil = context.shape.stencil(patch, face.surface_point(particles, p), half);
+    const auto stencil = context.shape.stencil(patch, place, half);
     const Real* mass = patch.column(NodeField::mass);
     // A particle's domain reaches to the surface, and its stress is in balance with the force at every node.
     const bool reaches_surface = particles.has(Field::half_size);
@@ -41,7 +42,7 @@ void add_at_surface(LoadContext<S>& context, const Face<S>& face, const Particle
     }
     if (!(sum > static_cast<Real>(1e-3))) {
         const PointSource<S> at_particle{particles.position(p), present_half_size(particles, p), force};
-        context.shape.spread(patch, {&at_particle, 1}, NodeField::external_force);
+        context.spread(particles, {&at_particle, 1}, NodeField::external_force);
         return;
     }
     for (int a = 0; a < S::dimension; ++a) {

@@ -86,6 +86,7 @@ void order(benchmark::State& state, const Json& json) {
     const auto shape = make<ShapeFunction, S>("shape_function", {{"type", "bspline"}, {"order", 2}});
     constexpr int edge = 16;  // cells
     Patch<S> patch({0, 0, 0}, {1, 1, 1}, {edge + 2, edge + 2, edge + 2});
+    const Levels<S> levels(patch, {}, {});
     std::vector<Particles<S>> bodies;
     bodies.emplace_back("block");
     bodies[0].require(Field::displacement_gradient);
@@ -105,7 +106,7 @@ void order(benchmark::State& state, const Json& json) {
             state.ResumeTiming();
         }
         ordering.forget(0);
-        ordering.update(patch, bodies, *shape);
+        ordering.update(levels, bodies, *shape);
     }
     report(state, count);
 }

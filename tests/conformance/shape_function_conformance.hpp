@@ -53,6 +53,34 @@ class ShapeFunctionChecks {
         affine_velocity_of_a_linear_field_is_its_gradient();
         batches_are_in_order();
         spread_agrees_with_stencil();
+        is_made_of_finer_ones();
+    }
+
+    /// Where a shape has a refinement, N_i = sum_k c_k n_(2 i + k) of those on cells of half the size, away
+    /// from the grid's edge: for points, and for domains of half a finer cell.
+    void is_made_of_finer_ones() const {
+        const std::vector<double> line = shape_.refinement();
+        if (line.empty()) return;
+        const int n = static_cast<int>(line.size());
+        const Patch<S> finer = patch_.refined(n % 2 == 0);
+        const Vector half = patch_.cell_size().template cast<Real>() / 8;
+        for (Index p = 0; p < size(); ++p) {
+            const Position x = cloud_.particles.position(p);
+            const auto coarse = shape_.stencil(patch_, x, half), fine = shape_.stencil(finer, x, half);
+            if (!is_within(coarse.nodes.front(), coarse.nodes.back())) continue;
+            std::map<Coordinates, double> made;
+            for (std::size_t k = 0; k < fine.nodes.size(); ++k)
+                visit_parents(fine.nodes[k], n, [&](const Coordinates& parent, const Coordinates& place) {
+                    double weight = static_cast<double>(fine.weights[k]);
+                    for (const int a : place) weight *= line[static_cast<std::size_t>(a)];
+                    made[parent] += weight;
+                });
+            for (std::size_t k = 0; k < coarse.nodes.size(); ++k) {
+                EXPECT_NEAR(made[coarse.nodes[k]], coarse.weights[k], tolerance);
+                made.erase(coarse.nodes[k]);
+            }
+            for (const auto& [node, weight] : made) EXPECT_NEAR(weight, 0, tolerance);
+        }
     }
 
     /// sum S = 1, sum grad S = 0, sum S x_i = x_p, sum grad S (x) x_i = I; no node past the ghosts.
@@ -327,6 +355,33 @@ class ShapeFunctionChecks {
         Matrix a;
         for (int c = 0; c < d * d; ++c) a.data()[c] = cloud_.particles.column(Field::velocity_gradient, c)[p];
         return a;
+    }
+    bool is_within(const Coordinates& first, const Coordinates& last) const {
+        for (std::size_t a = 0; a < d; ++a)
+            if (first[a] < 1 || last[a] >= patch_.cells()[a]) return false;
+        return true;
+    }
+    /// The coarser nodes whose functions a finer one is a part of, and the places of its coefficients.
+    template <class Visit>
+    static void visit_parents(const Coordinates& node, int n, const Visit& visit) {
+        Coordinates place;
+        place.fill(0);
+        for (;;) {
+            Coordinates parent;
+            bool whole = true;
+            for (std::size_t a = 0; a < d; ++a) {
+                // place - (n - 1) / 2 is the distance from twice the parent, in halves where nodes are
+                // centred.
+                const int twice = node[a] + n / 2 - place[a];
+                whole = whole && twice % 2 == 0;
+                parent[a] = twice / 2;
+            }
+            if (whole) visit(parent, place);
+            std::size_t a = 0;
+            while (a < d && place[a] == n - 1) place[a++] = 0;
+            if (a == d) return;
+            ++place[a];
+        }
     }
     /// sigma grad S, and S sigma_hoop / r.
     Vector traction(Index p, Real weight, const Vector& gradient) const {

@@ -22,3 +22,20 @@ expect 2 run block.json "${overlap[@]}" --set '/boundary_conditions=[{"type":"fi
 says "$err" "error: /boundary_conditions/0/on: there is no node"
 says "$err" "warning: $place"
 [[ ! -e wrong ]] || fail "something was written"
+
+# A body that is driven as a whole is not stopped by a tool; one that is driven in part may be.
+ceiling='/contacts=[{"type":"rigid_tool","name":"ceiling","geometry":{"type":"half_space","point":[0,0.6],"normal":[0,-1]}}]'
+driven() { expect 0 validate block.json --set "$ceiling" --set "/boundary_conditions=[{\"type\":\"velocity\",\"on\":$1,\"velocity\":[0,1]}]"; }
+driven '{"body":"block"}'
+says "$err" "warning: /contacts/0: boundary conditions prescribe how all of block moves: the tool can't stop it"
+driven '{"body":"block","within":{"type":"box","min":[0,0],"max":[1,0.2]}}'
+[[ $err != *"can't stop"* ]] || fail "a warning although only a part is driven: $err"
+
+# Levels by a transfer that loses slopes at their borders.
+levels='/grid={"type":"multilevel","min":[0,0],"max":[1,1],"cell_size":0.125,"levels":[{"within":{"type":"box","min":[0.25,0],"max":[0.5,0.5]}}]}'
+expect 0 run block.json --set "$levels" --output levels
+says "$err" "take \"affine_flip\""
+says "$(<levels/summary.json)" '"cells_over_uniform"'
+expect 0 validate block.json --set "$levels" --set '/transfer/type=affine_flip'
+[[ $err != *affine_flip* ]] || fail "a warning although slopes are kept: $err"
+says "$out" "level 1: 32 cells"

@@ -21,7 +21,7 @@ class LightNodesTest : public testing::Test {
             inside[static_cast<std::size_t>(i)] = patch.inside(node);
             patch.column(NodeField::mass)[i] = share(node[0], edge) * share(node[1], edge);
         }
-        light.locate(layers, inside, prescribed, false);
+        light.locate(layers, inside, prescribed, {}, false);
     }
     /// Integral of a tent over [2, edge].
     static double share(int node, double edge) {
@@ -147,7 +147,7 @@ TEST_F(LightNodesTest, WallsTakeWhatTheyAreGiven) {
     fill_mass(5.2);
     // The edge's last full nodes don't move.
     for (int y = 0; y <= 8; ++y) prescribed[static_cast<std::size_t>(patch.node_index({5, y}))] = 3;
-    light.locate(layers, inside, prescribed, false);
+    light.locate(layers, inside, prescribed, {}, false);
     set(NodeField::velocity, [](const Eigen::Vector2d& x) { return x[0] == 5 ? 0 : 7; });
     const double before = motion().momentum[0];
     light.follow_velocity(patch, NodeField::velocity, 2);
@@ -162,7 +162,7 @@ TEST_F(LightNodesTest, ThoseOnAWallFollowOthersOnIt) {
     prescribed.clear();
     fill_mass(5.2);
     for (int x = 0; x <= 8; ++x) prescribed[static_cast<std::size_t>(patch.node_index({x, 4}))] = 2;  // v_y
-    light.locate(layers, inside, prescribed, false);
+    light.locate(layers, inside, prescribed, {}, false);
     set(NodeField::velocity, [](const Eigen::Vector2d& x) { return x[1] == 4 ? 0 : 7; });
     light.follow_velocity(patch, NodeField::velocity);
     EXPECT_EQ(patch.column(NodeField::velocity, 1)[patch.node_index({6, 4})], 0);
@@ -175,7 +175,7 @@ TEST_F(LightNodesTest, NothingCrossesAGap) {
     fill_mass(5.001);
     for (int y = 0; y <= 8; ++y)
         for (int x = 7; x <= 8; ++x) patch.column(NodeField::mass)[patch.node_index({x, y})] = 1;
-    light.locate(layers, inside, prescribed, false);
+    light.locate(layers, inside, prescribed, {}, false);
     set(NodeField::velocity, [](const Eigen::Vector2d& x) { return x[0] >= 7 ? 1 : 0; });
     patch.column(NodeField::velocity)[patch.node_index({6, 3})] = 1e3;
     light.follow_velocity(patch, NodeField::velocity);

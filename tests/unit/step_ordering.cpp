@@ -44,9 +44,10 @@ class Ordered : public testing::Test {
         EXPECT_TRUE(update());
     }
     double* x() { return bodies[0].column(Field::position, 0); }
-    bool update() { return ordering.update(patch, bodies, Corners()); }
+    bool update() { return ordering.update(levels, bodies, Corners()); }
 
     Patch<S> patch{{0, 0, 0}, {1, 1, 1}, {32, 32}};
+    Levels<S> levels{patch, {}, {}};
     std::vector<Particles<S>> bodies;
     Ordering<S> ordering{1};
 };

@@ -6,6 +6,7 @@
 #include <matpoint/shape_function.hpp>
 
 #include <array>
+#include <functional>
 #include <map>
 #include <span>
 #include <string>
@@ -79,15 +80,27 @@ struct ToolContext {
     double time;  ///< s, at the start of the step
     double dt;    ///< s
     std::span<Particles<S>> bodies;
-    std::span<Patch<S>* const> nodes;  ///< by body, as it sees them
+    std::span<Patch<S>* const> nodes;  ///< by level, then by body, as it sees them
     const ShapeFunction<S>& shape;
     std::span<const unsigned char> prescribed;  ///< by node: a bit for each component that is
-    std::span<const char> inside;               ///< by node: on or within the grid's faces
+    std::span<const char> inside;  ///< by node: on or within the grid's faces, and moves by itself
     struct Push {
         int node;
         Vector impulse;  ///< N s
     };
     std::vector<Push>& pushes;  ///< so far, by all tools
+    /// The level of the grid at a place; null: there is one.
+    const std::function<int(const typename S::Position&)>* level_at = nullptr;
+    /// What a node follows from, by its place; empty if it moves by itself.
+    const std::function<std::span<const NodePart<Real>>(int)>* parents = nullptr;
+
+    int levels() const { return static_cast<int>(nodes.size() / bodies.size()); }
+    Patch<S>& nodes_of(std::size_t body, int level) const {
+        return *nodes[static_cast<std::size_t>(level) * bodies.size() + body];
+    }
+    Patch<S>& nodes_at(std::size_t body, const typename S::Position& x) const {
+        return nodes_of(body, level_at ? (*level_at)(x) : 0);
+    }
 
     /// Velocity of a body's node at the end of the step, as far as is known, m/s.
     Vector velocity(std::size_t body, int node) const {

@@ -16,6 +16,7 @@ class DelegatingShape : public ShapeFunction<S> {
 
     void declare(Particles<S>& particles) const override { widest().declare(particles); }
     int width() const override { return widest().width(); }
+    std::vector<double> refinement() const override { return widest().refinement(); }
     void base_nodes(const Patch<S>& patch, const Particles<S>& particles, Index begin, Index end,
                     Coordinates* out) const override {
         shape_of(particles).base_nodes(patch, particles, begin, end, out);

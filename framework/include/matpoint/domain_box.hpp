@@ -51,7 +51,8 @@ void visit_images(const Patch<S>& patch, const DomainBox<S>& own, double reach, 
         if (axis == S::dimension) return visit(box);
         self(self, axis + 1, box);
         for (int side = 0; side < 2; ++side) {
-            const double wall = side == 0 ? 0 : patch.cells()[static_cast<std::size_t>(axis)];
+            const double beyond = patch.centred() ? 0.5 : 0;
+            const double wall = side == 0 ? -beyond : patch.cells()[static_cast<std::size_t>(axis)] + beyond;
             if (std::abs(own.centre[axis] - wall) > reach + own.half_size[axis] || !mirrors(axis, side))
                 continue;
             box.centre[axis] = 2 * wall - own.centre[axis];

@@ -21,8 +21,9 @@ enum class NodeField {
     lumped_velocity,     ///< momentum over mass, of which a transfer of higher order makes the velocity, m/s
     resampled_momentum,  ///< of particles that move with the nodes, kg m/s
     resampled_velocity,  ///< that over mass, m/s
+    affine_momentum,     ///< sum S m A along an axis, at borders of levels, kg/s
 };
-inline constexpr int node_fields = static_cast<int>(NodeField::resampled_velocity) + 1;
+inline constexpr int node_fields = static_cast<int>(NodeField::affine_momentum) + 1;
 std::string_view node_field_name(NodeField field);
 
 /// A rectangular lattice of cells whose nodes exist only in blocks near particles.
@@ -34,6 +35,9 @@ std::string_view node_field_name(NodeField field);
 /// its own table of blocks onto the columns that it shares with all others: a block that k layers reach has k
 /// places there. Loops over places of nodes see those of all layers; what asks for a node by its coordinates
 /// asks the layer of a body.
+///
+/// Levels of a grid are layers too, on lattices of their own: refined() has cells of half the size. Their
+/// nodes are those of the lattice, or the middles of its cells.
 template <class S>
 class Patch {
   public:
@@ -50,41 +54,45 @@ class Patch {
     Patch(Patch&&) noexcept = default;
     Patch& operator=(Patch&&) noexcept = default;
 
-    const Position& min() const { return min_; }
-    const Position& cell_size() const { return cell_size_; }
-    const Position& inverse_cell_size() const { return inverse_cell_size_; }
-    const Coordinates& cells() const { return cells_; }
-    Position node_position(const Coordinates& node) const {
-        Position x;
-        for (int a = 0; a < S::dimension; ++a)
-            x[a] = min_[a] + node[static_cast<std::size_t>(a)] * cell_size_[a];
-        return x;
-    }
+    /// A patch that covers the same with cells of half the size, without blocks yet. `centred`: with nodes at
+    /// the middles of those cells, half a cell from the grid's faces.
+    Patch refined(bool centred) const;
+    /// How often this one was refined.
+    int level() const { return lattice_.level; }
+    bool centred() const { return lattice_.centred; }
+
+    /// Place of node 0.
+    const Position& min() const { return lattice_.min; }
+    const Position& cell_size() const { return lattice_.cell_size; }
+    const Position& inverse_cell_size() const { return lattice_.inverse_cell_size; }
+    /// Distances of nodes per axis: cells, one less if they are centred.
+    const Coordinates& cells() const { return lattice_.cells; }
+    Position node_position(const Coordinates& node) const { return lattice_.position(node); }
 
     /// Blocks per axis (ghosts included), and the number of a block in the full lattice of blocks.
-    const Coordinates& blocks() const { return blocks_; }
+    const Coordinates& blocks() const { return lattice_.blocks; }
+    /// Of the full lattice.
+    int block_count() const {
+        int count = 1;
+        for (const int along : lattice_.blocks) count *= along;
+        return count;
+    }
     static int block_of(int node) { return (node + 1) >> block_shift; }
     int block_number(const Coordinates& block) const {
         int number = 0;
         for (int a = S::dimension - 1; a >= 0; --a)
-            number = number * blocks_[static_cast<std::size_t>(a)] + block[static_cast<std::size_t>(a)];
+            number =
+                number * lattice_.blocks[static_cast<std::size_t>(a)] + block[static_cast<std::size_t>(a)];
         return number;
     }
-    Coordinates block_coordinates(int number) const {
-        Coordinates block{};
-        for (std::size_t a = 0; a < S::dimension; ++a) {
-            block[a] = number % blocks_[a];
-            number /= blocks_[a];
-        }
-        return block;
-    }
+    Coordinates block_coordinates(int number) const { return lattice_.block(number); }
 
     /// Place of a node in the columns; -1 if its block does not exist.
     int node_index(const Coordinates& node) const {
         int number = 0, local = 0;
         for (int a = S::dimension - 1; a >= 0; --a) {
             const int stored = node[static_cast<std::size_t>(a)] + 1;
-            number = number * blocks_[static_cast<std::size_t>(a)] + (stored >> block_shift);
+            number = number * lattice_.blocks[static_cast<std::size_t>(a)] + (stored >> block_shift);
             local = local * block_edge + (stored & (block_edge - 1));
         }
         const int slot = slot_of(number);
@@ -99,12 +107,17 @@ class Patch {
     const std::vector<int>& existing_blocks() const { return existing_; }
     /// Numbers of the blocks at all places, those of other layers included.
     const std::vector<int>& blocks_by_place() const { return nodes_->blocks; }
-    /// Lattice coordinates of the node at a place in the columns (ghosts and padding included).
+    /// Lattice coordinates, in its layer, of the node at a place in the columns (ghosts and padding
+    /// included).
     Coordinates node_coordinates(int index) const;
+    /// m
+    Position position_at(int index) const {
+        return nodes_->lattices[layer_of(index)].position(node_coordinates(index));
+    }
     /// Whether a node is on or within the grid's faces (not a ghost or padding).
     bool inside(const Coordinates& node) const {
         for (std::size_t a = 0; a < S::dimension; ++a)
-            if (node[a] < 0 || node[a] > cells_[a]) return false;
+            if (node[a] < 0 || node[a] > lattice_.cells[a]) return false;
         return true;
     }
 
@@ -134,6 +147,27 @@ class Patch {
     std::size_t table_bytes() const { return table_.size() * sizeof(Entry); }
 
   private:
+    struct Lattice {
+        Position min, cell_size, inverse_cell_size;
+        Coordinates cells, blocks;
+        int level = 0;
+        bool centred = false;
+
+        Position position(const Coordinates& node) const {
+            Position x;
+            for (int a = 0; a < S::dimension; ++a)
+                x[a] = min[a] + node[static_cast<std::size_t>(a)] * cell_size[a];
+            return x;
+        }
+        Coordinates block(int number) const {
+            Coordinates block{};
+            for (std::size_t a = 0; a < S::dimension; ++a) {
+                block[a] = number % blocks[a];
+                number /= blocks[a];
+            }
+            return block;
+        }
+    };
     /// What layers share.
     struct Nodes {
         std::array<int, node_fields> first_column;  ///< -1: nobody asked for the field
@@ -141,6 +175,7 @@ class Patch {
         Columns<Real> columns;
         std::vector<int> blocks;            ///< numbers, by their places
         std::vector<std::uint32_t> layers;  ///< by their places
+        std::vector<Lattice> lattices;      ///< by layer
     };
 
     Patch(const Patch&) = default;
@@ -168,19 +203,38 @@ class Patch {
         int number = -1, slot = -1;
     };
 
-    Position min_, cell_size_, inverse_cell_size_;
-    Coordinates cells_, blocks_;
+    /// Counts the blocks of a lattice. Throws std::invalid_argument if there are too many.
+    static void set_blocks_of(Lattice& lattice);
+
+    Lattice lattice_;
     std::vector<int> existing_;
     std::vector<Entry> table_;
     int table_bits_ = 1;
     std::shared_ptr<Nodes> nodes_;
 };
 
-/// A background grid: today one patch; levels and distribution are further types of this kind.
+class Geometry;
+
+/// Where cells of a grid are half as large as those of the next coarser level.
+struct Refined {
+    const Geometry* within;
+    std::string follow{};  ///< the body or tool whose motion it goes with; empty: it stays
+};
+
+/// What a node that doesn't move by itself has of another one.
+template <class Real>
+struct NodePart {
+    int node;
+    Real weight;
+};
+
+/// A background grid: a patch, and where finer levels of it are.
 template <class S>
 class Grid : public Component {
   public:
     virtual Patch<S>& patch() = 0;
+    /// Levels finer than the patch, each within the one before.
+    virtual std::vector<Refined> refined() const { return {}; }
 };
 
 }  // namespace matpoint

@@ -3,22 +3,42 @@
 #include <matpoint/exact_solution.hpp>
 #include <matpoint/shape_function.hpp>
 
+#include <functional>
+
 namespace matpoint {
 
 /// What a load sees of a step: it adds forces to NodeField::external_force.
 template <class S>
 struct LoadContext {
-    double time;  ///< at the start of the step, s
-    Patch<S>& patch;
+    double time;      ///< at the start of the step, s
+    Patch<S>& patch;  ///< all nodes, by their places
     std::span<Particles<S>> bodies;
     const ShapeFunction<S>& shape;
     const ExactSolution* exact_solution = nullptr;  ///< the scene's, or null
-    std::span<Patch<S>* const> layers = {};  ///< by body: its layer of the nodes; empty: all share them
+    /// By level, then by body: its layer of the nodes; empty: all share the patch.
+    std::span<Patch<S>* const> layers = {};
+    /// The level of the grid at a place; null: there is one.
+    const std::function<int(const typename S::Position&)>* level_at = nullptr;
 
-    /// The nodes as a body's particles see them.
-    Patch<S>& nodes_of(const Particles<S>& body) const {
+    /// The nodes as a body's particle sees them at a place.
+    Patch<S>& nodes_at(const Particles<S>& body, const typename S::Position& x) const {
+        return nodes_of(body, level_at ? (*level_at)(x) : 0);
+    }
+    /// Adds the values of a body's sources, weighted by S, to a vector field of the nodes.
+    void spread(const Particles<S>& body, std::span<const PointSource<S>> sources, NodeField field) const {
+        while (!sources.empty()) {
+            const int level = level_at ? (*level_at)(sources.front().position) : 0;
+            std::size_t count = level_at ? 1 : sources.size();
+            while (count < sources.size() && (*level_at)(sources[count].position) == level) ++count;
+            shape.spread(nodes_of(body, level), sources.first(count), field);
+            sources = sources.subspan(count);
+        }
+    }
+
+  private:
+    Patch<S>& nodes_of(const Particles<S>& body, int level) const {
         const auto place = static_cast<std::size_t>(&body - bodies.data());
-        return layers.empty() ? patch : *layers[place];
+        return layers.empty() ? patch : *layers[static_cast<std::size_t>(level) * bodies.size() + place];
     }
 };
 

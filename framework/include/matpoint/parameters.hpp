@@ -48,6 +48,8 @@ class Parameters {
     /// A nested component of kind geometry.
     std::shared_ptr<Geometry> geometry(const char* name) const;
     std::vector<std::shared_ptr<Geometry>> geometries(const char* name) const;
+    /// Those of a list of objects.
+    std::vector<Parameters> objects(const char* name) const;
 
     /// Tells the user of something that works, but that they may not have meant.
     void warn(const std::string& text) const {

@@ -89,6 +89,15 @@ class Particles {
     void require(Field field);
     /// Adds a field of a component's own, by a name no other component uses; returns its slot.
     int require(const std::string& name, int components, double initial = 0);
+    /// Particles for which this field is not 0 stand for something as a whole, as an area that a load acts
+    /// on: they are not split.
+    void keep_whole(int slot) { whole_.push_back(slot); }
+    bool divisible(Index p) const {
+        for (const int slot : whole_)
+            for (int c = 0; c < components(slot); ++c)
+                if (column(slot, c)[p] != Real(0)) return false;
+        return true;
+    }
     bool has(Field field) const {
         return field == Field::id ? has_ids_ : slots_[static_cast<std::size_t>(field)] >= 0;
     }
@@ -167,6 +176,7 @@ class Particles {
     std::string body_;
     Index size_ = 0;
     std::vector<FieldInfo> fields_;
+    std::vector<int> whole_;  ///< slots
     std::array<int, known_fields> slots_, first_columns_;
     Columns<Real> columns_{1};
     std::vector<std::uint32_t> ids_;

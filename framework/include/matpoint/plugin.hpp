@@ -4,7 +4,7 @@
 
 /// Version of the binary interface between kernel and plugins; raised whenever a class that both
 /// see changes its layout or its virtual functions.
-#define MATPOINT_ABI_VERSION 8
+#define MATPOINT_ABI_VERSION 9
 
 extern "C" {
 /// Plain data that the loader reads before it calls into a plugin. Its own layout never changes.

@@ -34,6 +34,7 @@ enum class ParameterType {
     component,   ///< an object with "type", of kind `kind`
     components,  ///< a list of such objects
     object,      ///< an object described by `nested`
+    objects,     ///< a list of such objects
     map,  ///< an object of at least `at_least` names of the user's: each a component of `kind`, or an object
           ///< described by `nested`
     any,  ///< kept as given; with a unit, numbers in lists are resolved to SI

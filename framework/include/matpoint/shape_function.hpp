@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace matpoint {
 
@@ -60,6 +61,10 @@ class ShapeFunction : public Component {
     virtual void declare(Particles<S>&) const {}
     /// Most nodes along an axis that a particle reaches.
     virtual int width() const = 0;
+    /// What makes a node's function of those on a lattice of half the cell size, N(x) = sum_k c_k N(2 x - k),
+    /// k being apart by 1 and symmetric about 0: at nodes if there is an odd number of c, else at the middles
+    /// of cells. Empty if it can't be made of them; there are no levels then.
+    virtual std::vector<double> refinement() const { return {}; }
     /// Brings the particles' domains up to date; called once at the start of a step, so that the
     /// weights stay the same throughout it.
     virtual void start_step(const Patch<S>&, Particles<S>&) {}

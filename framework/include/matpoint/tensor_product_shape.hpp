@@ -17,6 +17,8 @@ namespace matpoint {
 ///         static T base(T xi);
 ///         template <class T>                        // s = xi - base, l / h
 ///         static void evaluate(T s, T half_size, T* weights, T* derivatives);  // per cell
+///         static constexpr double refinement[] = {0.5, 1, 0.5};  // if there is one:
+///         ShapeFunction::refinement
 ///     };
 ///
 /// T is a number, or a Pack of them. A particle within the grid must stay within one node of it: base >= -1
@@ -37,6 +39,11 @@ class TensorProductShape : public ShapeFunction<S> {
         if constexpr (Kernel::sized) particles.require(Field::half_size);
     }
     int width() const override { return W; }
+    std::vector<double> refinement() const override {
+        if constexpr (requires { Kernel::refinement; })
+            return {std::begin(Kernel::refinement), std::end(Kernel::refinement)};
+        return {};
+    }
 
     void base_nodes(const Patch<S>& patch, const Particles<S>& particles, Index begin, Index end,
                     Coordinates* out) const override {

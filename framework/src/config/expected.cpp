@@ -75,6 +75,8 @@ std::string type_name(ParameterType type) {
             return "components";
         case ParameterType::object:
             return "object";
+        case ParameterType::objects:
+            return "objects";
         case ParameterType::map:
             return "map";
         case ParameterType::any:
@@ -136,6 +138,8 @@ std::string expected(const Parameter& p, int dimension) {
             return fmt::format("a list of {} objects, each with \"type\"", p.kind);
         case ParameterType::object:
             return "an object" + or_word(p);
+        case ParameterType::objects:
+            return "a list of objects";
         case ParameterType::map:
             return fmt::format("an object of at least {} named item(s)", p.at_least.value_or(0));
         case ParameterType::any:

@@ -98,6 +98,8 @@ Json value(const Parameter& p) {
             return list_of(reference_to(p.kind));
         case ParameterType::object:
             return or_word(p, object(*p.nested));
+        case ParameterType::objects:
+            return list_of(object(*p.nested));
         case ParameterType::map:
             return {{"type", "object"},
                     {"additionalProperties", p.nested ? object(*p.nested) : reference_to(p.kind)},

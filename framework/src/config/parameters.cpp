@@ -27,4 +27,11 @@ std::vector<std::shared_ptr<Geometry>> Parameters::geometries(const char* name) 
     return made;
 }
 
+std::vector<Parameters> Parameters::objects(const char* name) const {
+    std::vector<Parameters> all;
+    for (const Json& own : own_->at(name))
+        all.emplace_back(own, *context_, pointer_ + "/" + name + "/" + std::to_string(all.size()));
+    return all;
+}
+
 }  // namespace matpoint

@@ -100,6 +100,10 @@ Json Validator::value(const Parameter& p, const Json& given, const std::string& 
             });
         case ParameterType::object:
             return object(*p.nested, given, at);
+        case ParameterType::objects:
+            return list(p, given, at, 0, [&](const Json& item, const std::string& pointer) {
+                return object(*p.nested, item, pointer);
+            });
         case ParameterType::map:
             return map(p, given, at);
         case ParameterType::any:

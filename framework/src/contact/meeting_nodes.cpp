@@ -23,51 +23,85 @@ template <class S>
 void MeetingNodes<S>::locate(std::span<Patch<S>* const> layers, std::span<const std::size_t> layer,
                              std::vector<ParticlesOfBlock> particles) {
     const Patch<S>& patch = *layers.front();
+    const int levels = layers.back()->level() + 1;
     layers_.assign(layers.begin(), layers.end());
+    layers_of_level_ = layers.size() / static_cast<std::size_t>(levels);
     layer_.assign(layer.begin(), layer.end());
     blocks_.clear();
     entries_.clear();
     near_.clear();
     share_at_.assign(static_cast<std::size_t>(patch.node_count()), -1);
     const std::vector<int>& numbers = patch.blocks_by_place();
+    const auto level_at = [&](std::size_t place) {
+        return layers[patch.layer_of(static_cast<int>(place) * Patch<S>::block_nodes)]->level();
+    };
     for (std::size_t begin = 0; begin < numbers.size();) {
+        const int level = level_at(begin);
         std::size_t end = begin + 1;
-        while (end < numbers.size() && numbers[end] == numbers[begin]) ++end;
+        while (end < numbers.size() && numbers[end] == numbers[begin] && level_at(end) == level) ++end;
         if (end > begin + 1) {
-            blocks_.push_back({numbers[begin], entries_.size(), entries_.size() + (end - begin)});
+            blocks_.push_back({level, numbers[begin], entries_.size(), entries_.size() + (end - begin)});
             for (std::size_t k = begin; k < end; ++k) {
                 const int first = static_cast<int>(k) * Patch<S>::block_nodes;
-                entries_.push_back({patch.layer_of(first), first});
+                entries_.push_back({patch.layer_of(first) % layers_of_level_, first});
             }
         }
         begin = end;
     }
-    const auto shared = [&](int number) {
-        const auto found = std::ranges::lower_bound(blocks_, number, {}, &Block::number);
-        return found != blocks_.end() && found->number == number ? found - blocks_.begin() : -1;
-    };
-    for (ParticlesOfBlock& own : particles) {
-        Near near{own, {}};
-        const Coordinates centre = patch.block_coordinates(own.block);
-        constexpr int count = S::dimension == 1 ? 3 : S::dimension == 2 ? 9 : 27;
-        for (int k = 0; k < count; ++k) {
-            Coordinates block = centre;
-            bool exists = true;
-            for (std::size_t a = 0, rest = static_cast<std::size_t>(k); a < S::dimension; ++a, rest /= 3) {
-                block[a] += static_cast<int>(rest % 3) - 1;
-                exists = exists && block[a] >= 0 && block[a] < patch.blocks()[a];
-            }
-            const auto found = exists ? shared(patch.block_number(block)) : -1;
-            if (found >= 0) near.blocks.push_back(static_cast<std::size_t>(found));
+    for (const ParticlesOfBlock& own : particles)
+        for (int level = 0; level < levels; ++level) {
+            Near near{own, level, shared_in(around(own, level), level)};
+            if (!near.blocks.empty()) near_.push_back(std::move(near));
         }
-        if (!near.blocks.empty()) near_.push_back(std::move(near));
+}
+
+template <class S>
+auto MeetingNodes<S>::around(const ParticlesOfBlock& particles, int level) const -> Box {
+    const Patch<S>&from = layer_of(particles.level, 0), &to = layer_of(level, 0);
+    const Coordinates block = from.block_coordinates(particles.block);
+    Box box;
+    for (std::size_t a = 0; a < S::dimension; ++a) {
+        const auto axis = static_cast<Eigen::Index>(a);
+        int low = block[a] - 1, high = block[a] + 1;
+        if (level != particles.level) {
+            // The particles are in the block or a cell beside it, and as far as domains and splines reach.
+            const double reach = 4 * std::max(from.cell_size()[axis], to.cell_size()[axis]);
+            const auto block_at = [&](int node, double beyond) {
+                const double x = from.min()[axis] + node * from.cell_size()[axis] + beyond - to.min()[axis];
+                return Patch<S>::block_of(static_cast<int>(std::floor(x * to.inverse_cell_size()[axis])));
+            };
+            low = block_at(block[a] * Patch<S>::block_edge - 1, -reach);
+            high = block_at((block[a] + 1) * Patch<S>::block_edge, reach);
+        }
+        box.low[a] = std::max(low, 0);
+        box.high[a] = std::min(high, to.blocks()[a] - 1);
+    }
+    return box;
+}
+
+template <class S>
+std::vector<std::size_t> MeetingNodes<S>::shared_in(const Box& box, int level) const {
+    std::vector<std::size_t> found;
+    for (std::size_t a = 0; a < S::dimension; ++a)
+        if (box.low[a] > box.high[a]) return found;
+    const Patch<S>& patch = layer_of(level, 0);
+    for (Coordinates block = box.low;;) {
+        const std::pair wanted(level, patch.block_number(block));
+        const auto key = [](const Block& own) { return std::pair(own.level, own.number); };
+        const auto shared = std::ranges::lower_bound(blocks_, wanted, {}, key);
+        if (shared != blocks_.end() && key(*shared) == wanted)
+            found.push_back(static_cast<std::size_t>(shared - blocks_.begin()));
+        std::size_t a = 0;
+        while (a < S::dimension && block[a] == box.high[a]) block[a] = box.low[a], ++a;
+        if (a == S::dimension) return found;
+        ++block[a];
     }
 }
 
 template <class S>
-void MeetingNodes<S>::find(const Patch<S>& patch, std::span<const Particles<S>> bodies,
-                           const std::vector<char>& inside, const std::array<std::array<bool, 2>, 3>& walls,
-                           bool neighbours) {
+void MeetingNodes<S>::find(std::span<const Particles<S>> bodies, const std::vector<char>& inside,
+                           const std::array<std::array<bool, 2>, 3>& walls, bool neighbours) {
+    const Patch<S>& patch = *layers_.front();
     for (const Share& share : shares_) share_at_[static_cast<std::size_t>(share.place)] = -1;
     walls_ = walls;
     lists_neighbours_ = neighbours;
@@ -97,7 +131,7 @@ void MeetingNodes<S>::find(const Patch<S>& patch, std::span<const Particles<S>> 
                 shares_.resize(first);
                 continue;
             }
-            nodes_.push_back({first, shares_.size()});
+            nodes_.push_back({first, shares_.size(), blocks_[b].level});
             for (std::size_t k = first; k < shares_.size(); ++k)
                 share_at_[static_cast<std::size_t>(shares_[k].place)] = static_cast<int>(k);
             const Coordinates node = patch.node_coordinates(shares_[first].place);
@@ -123,14 +157,14 @@ void MeetingNodes<S>::find(const Patch<S>& patch, std::span<const Particles<S>> 
                 box.high[a] = std::max(box.high[a], own.high[a]);
             }
         }
-        if (!box.empty()) measure(patch, near, box, bodies[near.particles.body]);
+        if (!box.empty()) measure(near, box, bodies[near.particles.body]);
     }
     if (lists_neighbours_) sort_neighbours();
 }
 
 template <class S>
-void MeetingNodes<S>::measure(const Patch<S>& patch, const Near& near, const Box& box,
-                              const Particles<S>& particles) {
+void MeetingNodes<S>::measure(const Near& near, const Box& box, const Particles<S>& particles) {
+    const Patch<S>& patch = layer_of(near.level, layer_[near.particles.body]);
     const double reach = spline_.reach() + largest_half_size;
     for (Index p = near.particles.begin; p < near.particles.end; ++p) {
         const Vector centre = (particles.position(p) - patch.min()).cwiseProduct(patch.inverse_cell_size());
@@ -145,12 +179,12 @@ void MeetingNodes<S>::measure(const Patch<S>& patch, const Near& near, const Box
             [&](int axis, int side) {
                 return walls_[static_cast<std::size_t>(axis)][static_cast<std::size_t>(side)];
             },
-            [&](const DomainBox<S>& own) { add(patch, near, box, own); });
+            [&](const DomainBox<S>& own) { add(patch, box, own); });
     }
 }
 
 template <class S>
-void MeetingNodes<S>::add(const Patch<S>& patch, const Near& near, const Box& box, const DomainBox<S>& own) {
+void MeetingNodes<S>::add(const Patch<S>& layer, const Box& box, const DomainBox<S>& own) {
     struct Weights {
         std::array<double, most_nodes> mass, moment;
     };
@@ -164,7 +198,6 @@ void MeetingNodes<S>::add(const Patch<S>& patch, const Near& near, const Box& bo
                                low[axis] + most_nodes - 1});
         if (low[axis] > high[axis]) return;
     }
-    const Patch<S>& layer = *layers_[layer_[near.particles.body]];
     hits_.clear();
     for (Coordinates node = low;;) {
         const int place = layer.node_index(node);
@@ -188,7 +221,7 @@ void MeetingNodes<S>::add(const Patch<S>& patch, const Near& near, const Box& bo
             weights[axis].moment[k] = share * (to.moment - from.moment);
         }
     }
-    const double volume = own.volume * patch.inverse_cell_size().prod();
+    const double volume = own.volume * layer.inverse_cell_size().prod();
     for (const Hit& hit : hits_) {
         Share& share = shares_[hit.share];
         const auto number = [&](std::size_t a) { return static_cast<std::size_t>(hit.node[a] - low[a]); };
@@ -200,14 +233,14 @@ void MeetingNodes<S>::add(const Patch<S>& patch, const Near& near, const Box& bo
             for (std::size_t a = 0; a < S::dimension; ++a)
                 moment *= a == b ? weights[a].moment[number(a)] : weights[a].mass[number(a)];
             const auto axis = static_cast<Eigen::Index>(b);
-            share.moment[axis] += moment * patch.cell_size()[axis];
+            share.moment[axis] += moment * layer.cell_size()[axis];
         }
         if (!lists_neighbours_) continue;
         Vector from;
         for (int a = 0; a < S::dimension; ++a)
             from[a] = own.centre[a] - hit.node[static_cast<std::size_t>(a)];
-        unsorted_.push_back({from.cwiseProduct(patch.cell_size()),
-                             own.half_size.cwiseProduct(patch.cell_size()), own.volume});
+        unsorted_.push_back({from.cwiseProduct(layer.cell_size()),
+                             own.half_size.cwiseProduct(layer.cell_size()), own.volume});
         of_share_.push_back(hit.share);
     }
 }

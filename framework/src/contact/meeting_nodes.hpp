@@ -12,11 +12,12 @@
 
 namespace matpoint {
 
-/// Consecutive particles of a body whose stencils begin in one block.
+/// Consecutive particles of a body whose stencils begin in one block of a level.
 struct ParticlesOfBlock {
     std::size_t body;
     int block;
     Index begin, end;
+    int level = 0;
 };
 
 /// The nodes where layers meet: more than one has mass there. What each layer's material is around such a
@@ -25,7 +26,8 @@ struct ParticlesOfBlock {
 ///
 ///     O = sum_p int_p N_i, M = sum_p int_p N_i (x - x_i)
 ///
-/// with the spline N that reaches as far as the shape function does.
+/// with the spline N that reaches as far as the shape function does, on the level of the node; the particles
+/// may be of any.
 template <class S>
 class MeetingNodes {
   public:
@@ -42,6 +44,7 @@ class MeetingNodes {
     };
     struct Node {
         std::size_t begin, end;  ///< of its shares, by ascending layer
+        int level;
     };
     /// A particle near a node, as seen from there, m.
     struct Neighbour {
@@ -52,12 +55,12 @@ class MeetingNodes {
     MeetingNodes(const Patch<S>& patch, const ShapeFunction<S>& shape);
 
     /// After blocks of nodes have been made: finds those that layers share, and the particles near them.
-    /// `layer`, by body.
+    /// `layers`, by level, then by layer; `layer`, by body.
     void locate(std::span<Patch<S>* const> layers, std::span<const std::size_t> layer,
                 std::vector<ParticlesOfBlock> particles);
     /// Finds the nodes by their mass. `inside`, by node: on or within the grid's faces. `walls`, by axis and
     /// side: whether the grid's face mirrors what is within. `neighbours`: whether they are listed.
-    void find(const Patch<S>& patch, std::span<const Particles<S>> bodies, const std::vector<char>& inside,
+    void find(std::span<const Particles<S>> bodies, const std::vector<char>& inside,
               const std::array<std::array<bool, 2>, 3>& walls, bool neighbours);
 
     const std::vector<Node>& nodes() const { return nodes_; }
@@ -72,7 +75,7 @@ class MeetingNodes {
     using Coordinates = typename Patch<S>::Coordinates;
     /// A block that layers share: its places in their columns.
     struct Block {
-        int number;
+        int level, number;
         std::size_t begin, end;  ///< of its entries
     };
     struct Entry {
@@ -86,14 +89,21 @@ class MeetingNodes {
     };
     struct Near {
         ParticlesOfBlock particles;
-        std::vector<std::size_t> blocks;  ///< shared ones in its neighbourhood that the body's layer has
+        int level;                        ///< of the blocks
+        std::vector<std::size_t> blocks;  ///< shared ones in its neighbourhood
     };
     struct Hit {
         Coordinates node;
         std::size_t share;
     };
-    void measure(const Patch<S>& patch, const Near& near, const Box& box, const Particles<S>& particles);
-    void add(const Patch<S>& patch, const Near& near, const Box& box, const DomainBox<S>& own);
+    const Patch<S>& layer_of(int level, std::size_t layer) const {
+        return *layers_[static_cast<std::size_t>(level) * layers_of_level_ + layer];
+    }
+    /// Blocks of a level that a block's particles are in or beside.
+    Box around(const ParticlesOfBlock& particles, int level) const;
+    std::vector<std::size_t> shared_in(const Box& box, int level) const;
+    void measure(const Near& near, const Box& box, const Particles<S>& particles);
+    void add(const Patch<S>& layer, const Box& box, const DomainBox<S>& own);
     void sort_neighbours();
 
     Spline spline_;
@@ -101,6 +111,7 @@ class MeetingNodes {
     std::vector<Entry> entries_;
     std::vector<Near> near_;
     std::vector<Patch<S>*> layers_;
+    std::size_t layers_of_level_ = 1;
     std::vector<std::size_t> layer_;  ///< by body
 
     std::array<std::array<bool, 2>, 3> walls_{};

@@ -21,7 +21,6 @@ ContactPairs<S>::ContactPairs(std::vector<PlacedContact<S>> contacts, ContactLay
     : contacts_(std::move(contacts)),
       layers_(std::move(layers)),
       nodes_(patch, shape),
-      cell_(patch.cell_size().minCoeff()),
       cell_size_(patch.cell_size()),
       reports_(contacts_.size()) {
     for (const PlacedContact<S>& placed : contacts_)
@@ -33,7 +32,8 @@ ContactPairs<S>::ContactPairs(std::vector<PlacedContact<S>> contacts, ContactLay
 template <class S>
 void ContactPairs<S>::orient() {
     pairs_.clear();
-    for (const auto& node : nodes_.nodes())
+    for (const auto& node : nodes_.nodes()) {
+        const Vector cell_size = std::ldexp(1.0, -node.level) * cell_size_;
         for (std::size_t i = node.begin; i < node.end; ++i)
             for (std::size_t j = i + 1; j < node.end; ++j) {
                 const auto& shares = nodes_.shares();
@@ -52,9 +52,11 @@ void ContactPairs<S>::orient() {
                                   .second = j,
                                   .law = law,
                                   .normal = normal,
-                                  .gap = contact_gap<S>(placed.rule, nodes_, i, j, normal, cell_size_),
+                                  .gap = contact_gap<S>(placed.rule, nodes_, i, j, normal, cell_size),
+                                  .cell = cell_size.minCoeff(),
                                   .alone = node.end == node.begin + 2});
             }
+    }
 }
 
 /// 1/kg, by component; 0 where a boundary condition holds the node.
@@ -194,8 +196,8 @@ void ContactPairs<S>::report(std::span<const Vector> start, double dt) {
         const Vector sliding =
             velocity_[pair.second] - velocity_[pair.first] + start[pair.second] - start[pair.first];
         own.friction_work -= across.dot(sliding) / 2;
-        own.penetration = std::max(own.penetration, -pair.gap / cell_);
-        if (own.touched == 0) own.first_gap = pair.gap / cell_;
+        own.penetration = std::max(own.penetration, -pair.gap / pair.cell);
+        if (own.touched == 0) own.first_gap = pair.gap / pair.cell;
         own.touched = 1;
     }
 }

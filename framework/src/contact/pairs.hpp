@@ -55,6 +55,7 @@ class ContactPairs {
         std::size_t law;
         Vector normal;
         double gap;                       ///< m
+        double cell;                      ///< m, the smallest edge of those around
         Vector impulse = Vector::Zero();  ///< on the second, N s
         bool alone;                       ///< whether no third layer is there
     };
@@ -68,8 +69,7 @@ class ContactPairs {
     std::vector<PlacedContact<S>> contacts_;
     ContactLayers layers_;
     MeetingNodes<S> nodes_;
-    double cell_;  ///< smallest, m
-    Vector cell_size_;
+    Vector cell_size_;  ///< of the coarsest level, m
     bool needs_neighbours_ = false;
     std::vector<Pair> pairs_;       ///< by node
     std::vector<Vector> velocity_;  ///< by share

@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 
 namespace matpoint {
 
@@ -18,32 +19,60 @@ std::string_view node_field_name(NodeField field) {
                                                                  "external_force",
                                                                  "lumped_velocity",
                                                                  "resampled_momentum",
-                                                                 "resampled_velocity"};
+                                                                 "resampled_velocity",
+                                                                 "affine_momentum"};
     return names[static_cast<std::size_t>(field)];
 }
 
 template <class S>
 Patch<S>::Patch(const std::array<double, 3>& min, const std::array<double, 3>& cell_size,
                 const Coordinates& cells)
-    : cells_(cells), nodes_(std::make_shared<Nodes>()) {
-    double count = 1;
+    : nodes_(std::make_shared<Nodes>()) {
+    lattice_.cells = cells;
     for (std::size_t a = 0; a < S::dimension; ++a) {
         const auto i = static_cast<Eigen::Index>(a);
-        min_[i] = min[a];
-        cell_size_[i] = cell_size[a];
-        inverse_cell_size_[i] = 1 / cell_size[a];
-        blocks_[a] = block_of(cells_[a] + 1) + 1;
-        count *= blocks_[a];
+        lattice_.min[i] = min[a];
+        lattice_.cell_size[i] = cell_size[a];
+        lattice_.inverse_cell_size[i] = 1 / cell_size[a];
     }
-    if (count > std::numeric_limits<int>::max())
-        throw std::invalid_argument("the grid has too many cells to be numbered: at most " +
-                                    std::to_string(std::numeric_limits<int>::max()) + " blocks of " +
-                                    std::to_string(block_nodes) + " nodes");
+    set_blocks_of(lattice_);
     nodes_->first_column.fill(-1);
     table_.resize(2);
     for (const NodeField field :
          {NodeField::mass, NodeField::velocity, NodeField::force, NodeField::acceleration})
         require(field);
+}
+
+template <class S>
+void Patch<S>::set_blocks_of(Lattice& lattice) {
+    double count = 1;
+    for (std::size_t a = 0; a < S::dimension; ++a) {
+        lattice.blocks[a] = block_of(lattice.cells[a] + 1) + 1;
+        count *= lattice.blocks[a];
+    }
+    if (count > std::numeric_limits<int>::max())
+        throw std::invalid_argument("the grid has too many cells to be numbered: at most " +
+                                    std::to_string(std::numeric_limits<int>::max()) + " blocks of " +
+                                    std::to_string(block_nodes) + " nodes");
+}
+
+template <class S>
+Patch<S> Patch<S>::refined(bool centred) const {
+    Patch finer = layer();
+    Lattice& own = finer.lattice_;
+    ++own.level;
+    own.centred = centred;
+    for (std::size_t a = 0; a < S::dimension; ++a) {
+        const auto i = static_cast<Eigen::Index>(a);
+        const int cells = lattice_.cells[a] + (lattice_.centred ? 1 : 0);
+        own.cells[a] = 2 * cells - (centred ? 1 : 0);
+        own.cell_size[i] = lattice_.cell_size[i] / 2;
+        own.inverse_cell_size[i] = 2 * lattice_.inverse_cell_size[i];
+        const double face = lattice_.min[i] - (lattice_.centred ? lattice_.cell_size[i] / 2 : 0);
+        own.min[i] = face + (centred ? own.cell_size[i] / 2 : 0);
+    }
+    set_blocks_of(own);
+    return finer;
 }
 
 template <class S>
@@ -70,14 +99,17 @@ void Patch<S>::set_blocks(const std::vector<int>& numbers) {
 
 template <class S>
 void Patch<S>::set_blocks(std::span<Patch* const> layers, std::span<const std::vector<int>> numbers) {
-    std::vector<std::pair<int, std::size_t>> all;  // of a block, its layers one after the other
-    for (std::size_t k = 0; k < layers.size(); ++k)
-        for (const int number : numbers[k]) all.emplace_back(number, k);
+    std::vector<std::tuple<int, int, std::size_t>> all;  // of a block, its layers one after the other
+    nodes_->lattices.clear();
+    for (std::size_t k = 0; k < layers.size(); ++k) {
+        nodes_->lattices.push_back(layers[k]->lattice_);
+        for (const int number : numbers[k]) all.emplace_back(layers[k]->level(), number, k);
+    }
     if (layers.size() > 1) std::sort(all.begin(), all.end());
     std::vector<std::vector<int>> slots(layers.size());
     nodes_->blocks.clear();
     nodes_->layers.clear();
-    for (const auto& [number, k] : all) {
+    for (const auto& [level, number, k] : all) {
         slots[k].push_back(static_cast<int>(nodes_->blocks.size()));
         nodes_->blocks.push_back(number);
         nodes_->layers.push_back(static_cast<std::uint32_t>(k));
@@ -102,7 +134,8 @@ void Patch<S>::set_table(const std::vector<int>& numbers, const std::vector<int>
 
 template <class S>
 typename Patch<S>::Coordinates Patch<S>::node_coordinates(int index) const {
-    Coordinates node = block_coordinates(nodes_->blocks[static_cast<std::size_t>(index / block_nodes)]);
+    Coordinates node = nodes_->lattices[layer_of(index)].block(
+        nodes_->blocks[static_cast<std::size_t>(index / block_nodes)]);
     int local = index % block_nodes;
     for (std::size_t a = 0; a < S::dimension; ++a) {
         node[a] = node[a] * block_edge + local % block_edge - 1;

@@ -3,6 +3,8 @@
 #include <matpoint/geometry.hpp>
 #include <matpoint/grid.hpp>
 
+#include "grid/levels.hpp"
+
 #include <algorithm>
 #include <array>
 #include <vector>
@@ -21,6 +23,17 @@ std::vector<CellAxis> cell_axes(const Patch<S>& patch) {
     std::vector<CellAxis> axes;
     for (int a = 0; a < S::dimension; ++a)
         axes.push_back({patch.min()[a], patch.cell_size()[a], patch.cells()[static_cast<std::size_t>(a)]});
+    return axes;
+}
+
+/// Of a level.
+template <class S>
+std::vector<CellAxis> cell_axes(const Levels<S>& levels, int level) {
+    std::vector<CellAxis> axes;
+    const auto cells = levels.cells_along(level);
+    for (int a = 0; a < S::dimension; ++a)
+        axes.push_back({levels.patch(0).min()[a], levels.patch(level).cell_size()[a],
+                        cells[static_cast<std::size_t>(a)]});
     return axes;
 }
 
@@ -52,6 +65,12 @@ class CellLattice {
 
     Index number(const Place& place) const;
     Place place(Index number) const;
+    /// The cell of the grid that a place is in.
+    Place cell(const Place& place) const {
+        Place cell;
+        for (std::size_t a = 0; a < 3; ++a) cell[a] = axes_[a].first + place[a] / axes_[a].per_cell;
+        return cell;
+    }
     /// The middle of a place's part of its cell, m.
     Eigen::Vector3d middle(const Place& place) const {
         return {axes_[0].at(place[0]), axes_[1].at(place[1]), axes_[2].at(place[2])};

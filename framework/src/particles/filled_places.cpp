@@ -34,8 +34,10 @@ int rule_parts(const CellLattice& lattice) {
 
 }  // namespace
 
-FilledPlaces::FilledPlaces(CellLattice lattice, const Geometry& region, Seeding seeding)
-    : lattice_(std::move(lattice)), whole_(static_cast<std::size_t>(lattice_.pieces())) {
+FilledPlaces::FilledPlaces(CellLattice lattice, const Geometry& region, Seeding seeding, Wanted wanted)
+    : lattice_(std::move(lattice)),
+      wanted_(std::move(wanted)),
+      whole_(static_cast<std::size_t>(lattice_.pieces())) {
     if (seeding == Seeding::centres) {
         parallel_for(pieces(), lattice_.size(), [&](Index piece) { take_whole(piece, region); });
     } else if (lattice_.size() > 0) {
@@ -46,7 +48,9 @@ FilledPlaces::FilledPlaces(CellLattice lattice, const Geometry& region, Seeding 
 }
 
 void FilledPlaces::take_whole(Index piece, const Geometry& region) {
-    const std::vector<char> inside = region.contains(lattice_.middles(piece));
+    std::vector<char> inside = region.contains(lattice_.middles(piece));
+    for (std::size_t i = 0; wanted_ && i < inside.size(); ++i)
+        if (!is_wanted(lattice_.place(lattice_.begin(piece) + static_cast<Index>(i)))) inside[i] = 0;
     if (std::ranges::any_of(inside, [](char in) { return in != 0; }))
         whole_[static_cast<std::size_t>(piece)].assign(inside.begin(), inside.end());
 }
@@ -96,6 +100,7 @@ std::vector<FilledPlaces::Part> FilledPlaces::fill_piece(Index piece, const Geom
             for (; place[0] < lattice_.size(0); ++place[0]) {
                 const auto i = static_cast<std::size_t>(place[0]);
                 const Index number = lattice_.number(place);
+                if (!is_wanted(place)) continue;
                 if (along.is_whole(i))
                     whole[static_cast<std::size_t>(number - begin)] = true;
                 else if (fillings[i].volume > 0)

@@ -5,6 +5,7 @@
 #include "particles/line_rule.hpp"
 
 #include <array>
+#include <functional>
 #include <vector>
 
 namespace matpoint {
@@ -15,6 +16,9 @@ enum class Seeding {
     centres,  ///< the whole part, if its middle is in the region
 };
 
+/// Whether a cell of the grid is to be filled; none: all are.
+using Wanted = std::function<bool(const CellLattice::Place& cell)>;
+
 /// The places of a lattice that get a particle, in the lattice's order: those whose middle a region contains.
 /// If `filled`, a particle stands for what the region fills of its place's part of the cell. What it fills of
 /// the parts of other places is given to the nearest of the neighbours that have one, so that no matter is
@@ -24,7 +28,7 @@ enum class Seeding {
 /// Of parts that are whole, a bit is kept; fillings are kept of the others only.
 class FilledPlaces {
   public:
-    FilledPlaces(CellLattice lattice, const Geometry& region, Seeding seeding);
+    FilledPlaces(CellLattice lattice, const Geometry& region, Seeding seeding, Wanted wanted = {});
 
     Index size() const { return begins_.back(); }
     Index pieces() const { return lattice_.pieces(); }
@@ -58,7 +62,10 @@ class FilledPlaces {
     std::size_t first_part(Index number) const;
     void count();
 
+    bool is_wanted(const Place& place) const { return !wanted_ || wanted_(lattice_.cell(place)); }
+
     CellLattice lattice_;
+    Wanted wanted_;
     std::vector<std::vector<bool>> whole_;  ///< by piece; empty if nothing is
     std::vector<Part> parts_;               ///< by number
     std::vector<Index> begins_;             ///< by piece, number of its first particle; then that of all

@@ -106,20 +106,15 @@ void set(Particles<S>& particles, Field field, Index p, const Eigen::Vector3d& v
     for (int a = 0; a < S::dimension; ++a) particles.set_value(field, a, p, value[a]);
 }
 
-/// Sets one particle after the other. Pieces may be sown at the same time; velocities are not, because a
-/// formula is evaluated by one thread at a time.
+/// Sets one particle after the other, beside those that there are. Pieces may be sown at the same time;
+/// velocities are not, because a formula is evaluated by one thread at a time.
 template <class S, class Source>
 void sow(Particles<S>& particles, const Source& source, double density, const InitialVelocity& velocity) {
     using Real = typename S::Real;
-    if (source.size() == 0)
-        throw std::invalid_argument(fmt::format(
-            "body \"{}\": its geometry contains no particle; check that it lies within the grid, and with "
-            "\"seeding\": \"centres\" that it is not smaller than the distance between particles, "
-            "the cell size over \"particles_per_cell\"",
-            particles.body()));
-    particles.resize(source.size());
+    const Index first = particles.size();
+    particles.resize(first + source.size());
     parallel_for(source.pieces(), source.size(), [&](Index piece) {
-        Index p = source.begin(piece);
+        Index p = first + source.begin(piece);
         source.for_each(piece, [&](const PointCloud::Point& point) {
             const Eigen::Vector3d half_size =
                 point.half_size ? *point.half_size : Eigen::Vector3d::Constant(edge<S>(point) / 2);
@@ -134,11 +129,21 @@ void sow(Particles<S>& particles, const Source& source, double density, const In
         });
     });
     for (Index piece = 0; velocity && piece < source.pieces(); ++piece) {
-        Index p = source.begin(piece);
+        Index p = first + source.begin(piece);
         source.for_each(piece, [&](const PointCloud::Point& point) {
             set(particles, Field::velocity, p++, velocity(point.position) + point.velocity);
         });
     }
+}
+
+template <class S>
+void expect_particles(const Particles<S>& particles) {
+    if (particles.size() == 0)
+        throw std::invalid_argument(fmt::format(
+            "body \"{}\": its geometry contains no particle; check that it lies within the grid, and with "
+            "\"seeding\": \"centres\" that it is not smaller than the distance between particles, "
+            "the cell size over \"particles_per_cell\"",
+            particles.body()));
 }
 
 }  // namespace
@@ -156,10 +161,43 @@ void seed(Particles<S>& particles, const Patch<S>& patch, const Geometry& geomet
         const FilledPlaces places(lattice, geometry, seeding);
         sow(particles, Sown<S>(places), density, velocity);
     }
+    expect_particles(particles);
 }
 
-#define MATPOINT_INSTANTIATE(S)                                                                       \
-    template void seed<S>(Particles<S>&, const Patch<S>&, const Geometry&, const std::array<int, 3>&, \
+template <class S>
+void seed(Particles<S>& particles, const Levels<S>& levels, const Geometry& geometry,
+          const std::array<int, 3>& particles_per_cell, double density, const InitialVelocity& velocity,
+          Seeding seeding) {
+    if (levels.count() == 1)
+        return seed(particles, levels.patch(0), geometry, particles_per_cell, density, velocity, seeding);
+    const auto set_level = [&](Index p, int level) {
+        for (const char* field : {refinement_field, level_field})
+            particles.column(particles.slot(field), 0)[p] = static_cast<typename S::Real>(level);
+    };
+    if (geometry.points()) {
+        seed(particles, levels.patch(0), geometry, particles_per_cell, density, velocity, seeding);
+        for (Index p = 0; p < particles.size(); ++p) set_level(p, levels.at(particles.position(p)));
+        return;
+    }
+    for (int level = 0; level < levels.count(); ++level) {
+        const Index first = particles.size();
+        const FilledPlaces places(
+            {cell_axes(levels, level), levels.bounds(level, geometry.bounds()), particles_per_cell}, geometry,
+            seeding, [&](const CellLattice::Place& place) {
+                typename Patch<S>::Coordinates cell;
+                std::copy_n(place.begin(), S::dimension, cell.begin());
+                return levels.belongs(level, cell);
+            });
+        sow(particles, Sown<S>(places), density, velocity);
+        for (Index p = first; p < particles.size(); ++p) set_level(p, level);
+    }
+    expect_particles(particles);
+}
+
+#define MATPOINT_INSTANTIATE(S)                                                                        \
+    template void seed<S>(Particles<S>&, const Patch<S>&, const Geometry&, const std::array<int, 3>&,  \
+                          double, const InitialVelocity&, Seeding);                                    \
+    template void seed<S>(Particles<S>&, const Levels<S>&, const Geometry&, const std::array<int, 3>&, \
                           double, const InitialVelocity&, Seeding);
 MATPOINT_FOR_EACH_SPACE(MATPOINT_INSTANTIATE)
 

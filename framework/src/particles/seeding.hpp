@@ -4,6 +4,8 @@
 #include <matpoint/grid.hpp>
 #include <matpoint/particles.hpp>
 
+#include "grid/level_fields.hpp"
+#include "grid/levels.hpp"
 #include "particles/filled_places.hpp"
 
 #include <array>
@@ -22,6 +24,13 @@ using InitialVelocity = std::function<Eigen::Vector3d(const Eigen::Vector3d& pos
 /// listed point is outside the grid.
 template <class S>
 void seed(Particles<S>& particles, const Patch<S>& patch, const Geometry& geometry,
+          const std::array<int, 3>& particles_per_cell, double density, const InitialVelocity& velocity = {},
+          Seeding seeding = Seeding::filled);
+
+/// The same on nested levels: each cell gets that many particles of the level that it belongs to. A listed
+/// point counts as one of its level. Sets refinement_field and level_field too.
+template <class S>
+void seed(Particles<S>& particles, const Levels<S>& levels, const Geometry& geometry,
           const std::array<int, 3>& particles_per_cell, double density, const InitialVelocity& velocity = {},
           Seeding seeding = Seeding::filled);
 

@@ -30,6 +30,55 @@ void make_method(Maker& maker, Components<S>& components) {
         components.damping = maker.make<Damping<S>>("damping", "/damping");
 }
 
+/// The body or tool of a name.
+template <class S>
+Follow followed(Maker& maker, const Components<S>& components, const std::string& name,
+                const std::string& pointer) {
+    if (name.empty()) return {};
+    std::vector<std::string> known;
+    for (const auto& [body, unused] : maker.json("/bodies").items()) {
+        if (body == name) return {.body = known.size()};
+        known.push_back(body);
+    }
+    for (std::size_t k = 0; k < components.contacts.size(); ++k) {
+        if (!components.contacts[k].contact || !components.contacts[k].contact->tool()) continue;
+        if (components.contacts[k].name == name) return {.contact = k};
+        known.push_back(components.contacts[k].name);
+    }
+    maker.mistake(pointer, "there is no body or tool \"" + name + "\"" + did_you_mean(name, known));
+    return {};
+}
+
+/// Levels of the grid, for this shape function.
+template <class S>
+void make_levels(Maker& maker, Components<S>& components) {
+    const Patch<S>& patch = components.grid->patch();
+    for (std::size_t a = 0; a < S::dimension; ++a)
+        if (patch.cells()[a] + 1 < components.shape->width())
+            maker.mistake("/grid", "needs at least " + std::to_string(components.shape->width() - 1) +
+                                       " cells on every axis for this shape function");
+    maker.throw_if_errors();
+    std::vector<Refined> refined;
+    std::vector<double> refinement;
+    guarded(*components.grid, "refined", [&] { refined = components.grid->refined(); });
+    guarded(*components.shape, "refinement", [&] { refinement = components.shape->refinement(); });
+    std::vector<const Geometry*> regions;
+    for (std::size_t k = 0; k < refined.size(); ++k) {
+        regions.push_back(refined[k].within);
+        components.follows.push_back(
+            followed(maker, components, refined[k].follow, "/grid/levels/" + std::to_string(k) + "/follow"));
+    }
+    if (!regions.empty() && refinement.empty())
+        maker.mistake("/shape_function",
+                      "can't be made of itself on cells of half the size: it has no levels");
+    else
+        maker.attempt("/grid/levels", [&] {
+            components.levels = std::make_shared<Levels<S>>(components.grid->patch(), std::move(regions),
+                                                            std::move(refinement));
+        });
+    maker.throw_if_errors();
+}
+
 /// By body.
 template <class S>
 std::vector<std::shared_ptr<Material<S>>> make_materials(Maker& maker) {
@@ -122,11 +171,8 @@ Assembly<S> assemble_with(const Scene& scene, const Registry& registry) {
     components.materials = make_materials<S>(maker);
     const auto geometries = make_geometries<S>(maker);
     maker.throw_if_errors();
+    make_levels(maker, components);
     const Patch<S>& patch = components.grid->patch();
-    for (std::size_t a = 0; a < S::dimension; ++a)
-        if (patch.cells()[a] + 1 < components.shape->width())
-            maker.mistake("/grid", "needs at least " + std::to_string(components.shape->width() - 1) +
-                                       " cells on every axis for this shape function");
     make_bodies(maker, geometries, result);
     start(maker, result);
     check(maker,

@@ -65,13 +65,12 @@ void ExactError<S>::add_particles(const Particles<S>& particles, double time, do
 }
 
 template <class S>
-void ExactError<S>::add_nodes(const Patch<S>& patch, double time, double velocity_time,
-                              ErrorSums& sums) const {
+void ExactError<S>::add_nodes(const Patch<S>& patch, const std::vector<char>& inside, double time,
+                              double velocity_time, ErrorSums& sums) const {
     const auto* mass = patch.column(NodeField::mass);
     for (int i = 0; i < static_cast<int>(patch.node_count()); ++i) {
-        const auto node = patch.node_coordinates(i);
-        if (!(mass[i] > 0) || !patch.inside(node)) continue;
-        const Eigen::Vector3d x = spatial(patch.node_position(node));
+        if (!(mass[i] > 0) || inside[static_cast<std::size_t>(i)] == 0) continue;
+        const Eigen::Vector3d x = spatial(patch.position_at(i));
         if (!within(x)) continue;
         typename S::Vector v;
         for (int c = 0; c < S::dimension; ++c) v[c] = patch.column(NodeField::velocity, c)[i];

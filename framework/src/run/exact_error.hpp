@@ -43,8 +43,10 @@ class ExactError {
     /// Displacements and stresses are those at `time`, velocities those at `velocity_time` (s).
     void add_particles(const Particles<S>& particles, double time, double velocity_time,
                        ErrorSums& sums) const;
-    /// Nodes that have velocities, against the solution at the material point that is there.
-    void add_nodes(const Patch<S>& patch, double time, double velocity_time, ErrorSums& sums) const;
+    /// Nodes that have velocities and move by themselves (`inside`), against the solution at the material
+    /// point that is there.
+    void add_nodes(const Patch<S>& patch, const std::vector<char>& inside, double time, double velocity_time,
+                   ErrorSums& sums) const;
 
   private:
     bool within(const Eigen::Vector3d& x) const;

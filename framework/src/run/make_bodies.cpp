@@ -129,12 +129,24 @@ void require_observed(const Maker& maker, const std::vector<ScheduledOutput>& ou
 /// Before a body is seeded: what it will take is asked of its geometry if the box around it might be too
 /// much.
 template <class S>
-void count_memory(const Particles<S>& particles, const Patch<S>& patch, const Geometry& geometry,
+void count_memory(const Particles<S>& particles, const Levels<S>& levels, const Geometry& geometry,
                   const std::array<int, 3>& per_cell, MemoryBudget& memory) {
     // The columns have a spare one.
     const auto bytes = static_cast<double>(particles.bytes_per_particle() + sizeof(typename S::Real));
-    double count = most_particles(patch, geometry, per_cell);
-    if (memory.exceeded_by(count * bytes)) count = expected_particles(patch, geometry, per_cell);
+    const auto count_by = [&](const auto& count_on) {
+        double sum = count_on(levels.patch(0));
+        // Of finer levels at most what their cells hold.
+        double of_cell = 1;
+        for (std::size_t a = 0; a < S::dimension; ++a) of_cell *= per_cell[a];
+        for (int level = 1; level < levels.count(); ++level)
+            sum += std::min(count_on(levels.patch(level)),
+                            of_cell * static_cast<double>(levels.cells_with_border(level)));
+        return sum;
+    };
+    double count = count_by([&](const Patch<S>& patch) { return most_particles(patch, geometry, per_cell); });
+    if (memory.exceeded_by(count * bytes))
+        count =
+            count_by([&](const Patch<S>& patch) { return expected_particles(patch, geometry, per_cell); });
     memory.add(particles.body(), count, bytes);
 }
 
@@ -164,6 +176,8 @@ Particles<S> with_fields(Maker& maker, const std::string& name, std::size_t numb
     Components<S>& components = assembly.components;
     Particles<S> particles(name);
     particles.require(Field::id);  // messages call a particle by it, and outputs are in its order
+    if (components.levels->count() > 1)
+        for (const char* field : {refinement_field, level_field}) particles.require(field, 1);
     guarded(*components.shape, "declare", [&] { components.shape->declare(particles); });
     guarded(*components.transfer, "declare", [&] { components.transfer->declare(particles); });
     if (guarded(material, "uses_deformation_gradient", [&] { return material.uses_deformation_gradient(); }))
@@ -173,7 +187,10 @@ Particles<S> with_fields(Maker& maker, const std::string& name, std::size_t numb
             particles.require(field);  // how near its edges are
     if (guarded(*components.integrator, "lags", [&] { return components.integrator->lags(); }))
         particles.require(Field::grid_velocity_gradient);
+    const int first_of_loads = particles.field_count();
     for (const auto& load : components.loads) guarded(*load, "declare", [&] { load->declare(particles); });
+    for (int slot = first_of_loads; slot < particles.field_count(); ++slot)
+        if (!field_from_name(particles.name(slot))) particles.keep_whole(slot);
     for (const PlacedContact<S>& placed : components.contacts) {
         guarded(*placed.contact, "declare", [&] { placed.contact->declare(particles); });
         if (std::ranges::find(placed.bodies, number) == placed.bodies.end()) continue;
@@ -193,11 +210,11 @@ Particles<S> with_fields(Maker& maker, const std::string& name, std::size_t numb
 
 /// Fills its geometry with particles.
 template <class S>
-void seed_body(const Json& body, const Geometry& geometry, const Patch<S>& patch, double density,
+void seed_body(const Json& body, const Geometry& geometry, const Levels<S>& levels, double density,
                MemoryBudget& memory, Particles<S>& particles) {
     std::array<int, 3> per_cell{1, 1, 1};
     for (std::size_t a = 0; a < S::dimension; ++a) per_cell[a] = body.at("particles_per_cell")[a].get<int>();
-    count_memory(particles, patch, geometry, per_cell, memory);
+    count_memory(particles, levels, geometry, per_cell, memory);
     std::vector<std::optional<Profile>> velocity;
     for (const Json& component : body.at("velocity"))
         velocity.push_back(component.is_null() ? std::nullopt : std::optional<Profile>(component));
@@ -208,12 +225,12 @@ void seed_body(const Json& body, const Geometry& geometry, const Patch<S>& patch
         return v;
     };
     const Seeding seeding = body.at("seeding") == "centres" ? Seeding::centres : Seeding::filled;
-    seed<S>(particles, patch, geometry, per_cell, density, initial_velocity, seeding);
+    seed<S>(particles, levels, geometry, per_cell, density, initial_velocity, seeding);
     const bool varies =
         std::ranges::any_of(body.at("velocity"), [](const Json& component) { return component.is_string(); });
     for (const Field field : {Field::velocity_gradient, Field::affine_velocity})
         if (varies && particles.has(field))
-            set_initial_gradient<S>(particles, field, initial_velocity, patch.cell_size()[0]);
+            set_initial_gradient<S>(particles, field, initial_velocity, levels.finest().cell_size()[0]);
 }
 
 /// Masses that the precision can't hold, and velocities that are not finite.
@@ -253,20 +270,20 @@ template <class S>
 void make_bodies(Maker& maker, const std::vector<std::shared_ptr<Geometry>>& geometries,
                  Assembly<S>& assembly) {
     Components<S>& components = assembly.components;
-    const Patch<S>& patch = components.grid->patch();
+    const Levels<S>& levels = *components.levels;
     MemoryBudget memory;
     std::size_t number = 0;
     for (const auto& [name, body] : maker.json("/bodies").items()) {
         const std::string pointer = join_pointer("/bodies", name);
         const Material<S>& material = *components.materials[number];
-        components.viscosities.push_back(viscosity_of(body, patch));
+        components.viscosities.push_back(viscosity_of(body, levels.patch(0)));
         Particles<S> particles = with_fields(maker, name, number, material, assembly);
         if (components.exact_solution && components.exact_solution->covers(name) &&
             !is_zero(body.at("velocity")))
             maker.mistake(pointer + "/velocity",
                           "the exact solution gives this body its velocity: leave it out");
         maker.attempt(pointer + "/geometry", *geometries[number], "functions", [&] {
-            seed_body(body, *geometries[number], patch, material.density(), memory, particles);
+            seed_body(body, *geometries[number], levels, material.density(), memory, particles);
             assembly.seeded.push_back(describe(particles, *geometries[number]));
         });
         check_seeded(maker, pointer, material.density(), particles);

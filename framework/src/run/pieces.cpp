@@ -62,11 +62,33 @@ Stencils<S> stencils(const Patch<S>& patch, const Particles<S>& particles, const
     return found;
 }
 
-}  // namespace
+/// The coarsest level with nodes wherever particles of any level are.
+template <class S>
+Patch<S> nodes_for_all(const Patch<S>& coarsest, const Particles<S>& particles,
+                       const ShapeFunction<S>& shape) {
+    std::array<double, 3> min{}, cell_size{};
+    std::copy_n(coarsest.min().data(), S::dimension, min.begin());
+    std::copy_n(coarsest.cell_size().data(), S::dimension, cell_size.begin());
+    Patch<S> patch(min, cell_size, coarsest.cells());
+    std::vector<typename Patch<S>::Coordinates> bases(static_cast<std::size_t>(particles.size()));
+    shape.base_nodes(patch, particles, 0, particles.size(), bases.data());
+    std::vector<int> blocks;
+    for (const auto& base : bases)
+        for (int corner = 0; corner < 1 << S::dimension; ++corner) {
+            auto block = base;
+            for (std::size_t a = 0; a < S::dimension; ++a)
+                block[a] = Patch<S>::block_of(base[a] + (corner >> a & 1) * (shape.width() - 1));
+            blocks.push_back(patch.block_number(block));
+        }
+    std::ranges::sort(blocks);
+    blocks.erase(std::ranges::unique(blocks).begin(), blocks.end());
+    patch.set_blocks(blocks);
+    return patch;
+}
 
 template <class S>
-std::vector<Index> pieces(const Patch<S>& patch, const Particles<S>& particles,
-                          const ShapeFunction<S>& shape) {
+std::vector<Index> pieces_on(const Patch<S>& patch, const Particles<S>& particles,
+                             const ShapeFunction<S>& shape) {
     const Stencils<S> found = stencils(patch, particles, shape);
     const int width = shape.width();
     Sets sets(found.bases.size());
@@ -93,6 +115,15 @@ std::vector<Index> pieces(const Patch<S>& patch, const Particles<S>& particles,
     return sizes;
 }
 
+}  // namespace
+
+template <class S>
+std::vector<Index> pieces(const Levels<S>& levels, const Patch<S>& patch, const Particles<S>& particles,
+                          const ShapeFunction<S>& shape) {
+    if (levels.count() == 1) return pieces_on(patch, particles, shape);
+    return pieces_on(nodes_for_all(levels.patch(0), particles, shape), particles, shape);
+}
+
 template <class S>
 double widest_spacing(const Patch<S>& patch, const Particles<S>& particles) {
     const double cell = patch.cell_size().maxCoeff();
@@ -114,8 +145,9 @@ double widest_spacing(const Patch<S>& patch, const Particles<S>& particles) {
     return widest;
 }
 
-#define MATPOINT_INSTANTIATE(S)                                                                        \
-    template std::vector<Index> pieces(const Patch<S>&, const Particles<S>&, const ShapeFunction<S>&); \
+#define MATPOINT_INSTANTIATE(S)                                                                \
+    template std::vector<Index> pieces(const Levels<S>&, const Patch<S>&, const Particles<S>&, \
+                                       const ShapeFunction<S>&);                               \
     template double widest_spacing(const Patch<S>&, const Particles<S>&);
 MATPOINT_FOR_EACH_SPACE(MATPOINT_INSTANTIATE)
 

@@ -39,7 +39,7 @@ Findings check_extents(const SceneParts<S>& parts);
 template <class S>
 Findings check_overlaps(const SceneParts<S>& parts);
 
-/// Bodies that are too thin for how a contact measures gaps.
+/// Bodies that are too thin for how a contact measures gaps, or that it can't stop.
 template <class S>
 Findings check_contacts(const SceneParts<S>& parts, std::span<const PlacedContact<S>> contacts);
 

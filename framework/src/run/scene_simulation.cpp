@@ -48,7 +48,7 @@ SceneSimulation<S>::SceneSimulation(const Scene& scene, PluginCatalogue& catalog
       assembly_(assemble<S>(scene, catalogue.registry())),
       engine_(assembly_.components, assembly_.bodies, assembly_.first_states),
       settled_at_(settled_at(assembly_.components)),
-      smallest_cell_(engine_.patch().cell_size().minCoeff()) {
+      smallest_cell_(engine_.levels().finest().cell_size().minCoeff()) {
     const Json& time = scene.resolved.at("time");
     if (time.contains("step"))
         step_length_ = time.at("step").get<double>();
@@ -62,11 +62,12 @@ SceneSimulation<S>::SceneSimulation(const Scene& scene, PluginCatalogue& catalog
     engine_.prepare();
     engine_.measure();
     for (const Particles<S>& particles : assembly_.bodies)
-        first_pieces_.push_back(
-            pieces(engine_.patch(first_pieces_.size()), particles, *assembly_.components.shape).size());
+        first_pieces_.push_back(pieces(engine_.levels(), engine_.patch(first_pieces_.size()), particles,
+                                       *assembly_.components.shape)
+                                    .size());
     warnings_ = assembly_.warnings;
     if (guarded_) refuse_faults(scene);
-    const double phase = shortest_wave_phase(engine_.patch(), assembly_.bodies, *assembly_.components.shape);
+    const double phase = shortest_wave_phase(engine_.levels(), assembly_.bodies, *assembly_.components.shape);
     // Beyond 1 a particle could cross a cell in a step.
     const Components<S>& components = assembly_.components;
     // Vibrations that the particles hardly carry are accelerated by as many times the force.
@@ -230,7 +231,7 @@ std::string SceneSimulation<S>::ailments(std::size_t body) const {
     const ShapeFunction<S>& shape = *assembly_.components.shape;
     std::string all;
     guarded(shape, "trouble", [&] { all = shape.trouble(particles); });
-    const std::vector<Index> parts = pieces(engine_.patch(body), particles, shape);
+    const std::vector<Index> parts = pieces(engine_.levels(), engine_.patch(body), particles, shape);
     if (parts.size() <= first_pieces_[body]) return all;
     return all + (all.empty() ? "" : " ") +
            describe_torn(particles.body(), parts, widest_spacing(engine_.patch(), particles));
@@ -278,7 +279,7 @@ void SceneSimulation<S>::measure_error() {
     try {
         if (error.of_nodes()) {
             engine_.project_velocity(velocity_time);
-            error.add_nodes(engine_.patch(), time_, velocity_time, numbers_.error);
+            error.add_nodes(engine_.patch(), engine_.inside(), time_, velocity_time, numbers_.error);
         } else if (step_ > 0) {
             for (const Particles<S>& particles : assembly_.bodies)
                 error.add_particles(particles, time_, velocity_time, numbers_.error);

@@ -31,6 +31,7 @@ class SceneSimulation final : public Simulation {
     std::size_t bytes_per_particle() const override;
     std::size_t memory_bytes() const override;
     Json phase_seconds() const override;
+    Json levels() const override;
     std::vector<std::string> particle_fields() const override;
     std::vector<std::string> node_fields() const override;
     const std::vector<ScheduledOutput>& outputs() const override { return assembly_.outputs; }

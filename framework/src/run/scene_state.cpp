@@ -135,6 +135,24 @@ Json SceneSimulation<S>::phase_seconds() const {
 }
 
 template <class S>
+Json SceneSimulation<S>::levels() const {
+    const Levels<S>& levels = engine_.levels();
+    if (levels.count() == 1) return {};
+    Json all = Json::array();
+    double cells = 0, finest = 1;
+    for (int level = 0; level < levels.count(); ++level) {
+        Index particles = 0;
+        for (std::size_t b = 0; b < assembly_.bodies.size(); ++b)
+            for (const BlockRange& range : engine_.ordering().ranges(b))
+                if (range.level == level) particles += range.end - range.begin;
+        all.push_back({{"cells", levels.cells(level)}, {"particles", particles}, {"steps", step_}});
+        cells += static_cast<double>(levels.cells(level));
+    }
+    for (const int along : levels.cells_along(levels.count() - 1)) finest *= along;
+    return {{"levels", std::move(all)}, {"cells_over_uniform", cells / finest}};
+}
+
+template <class S>
 std::size_t SceneSimulation<S>::memory_bytes() const {
     return bytes_per_particle() * particle_count() + engine_.node_bytes();
 }
@@ -199,6 +217,11 @@ std::string contact_name(std::size_t contact, const std::string& name) {
     return fmt::format("contact_{}_{}", contact, name);
 }
 
+/// What checkpoints call a coordinate of what a level follows, or of how far it went.
+std::string level_name(std::size_t level, const char* what, int axis) {
+    return fmt::format("level_{}_{}_{}", level + 1, what, axis);
+}
+
 /// Every number of a step's tally by name, for checkpoints: sums over particles in another order would differ
 /// in their last bits.
 template <class Tally_, class Visitor>
@@ -235,6 +258,11 @@ CheckpointData SceneSimulation<S>::state() const {
     for (std::size_t k = 0; k < engine_.contacts().size(); ++k)
         for (const auto& [name, value] : engine_.contact_state(k))
             data.numbers[contact_name(k, name)] = value;
+    for (std::size_t k = 0; k < engine_.level_starts().size(); ++k)
+        for (int a = 0; a < S::dimension; ++a) {
+            data.numbers[level_name(k, "start", a)] = engine_.level_starts()[k][a];
+            data.numbers[level_name(k, "shift", a)] = engine_.level_shifts()[k][a];
+        }
     for (std::size_t b = 0; b < assembly_.bodies.size(); ++b) {
         const Particles<S>& particles = assembly_.bodies[b];
         CheckpointData::Body body;
@@ -248,7 +276,7 @@ CheckpointData SceneSimulation<S>::state() const {
             }
         body.ids = particles.ids();
         for (const BlockRange& range : engine_.ordering().ranges(b)) {
-            body.block_numbers.push_back(range.block);
+            body.block_numbers.push_back(engine_.levels().number_of(range.level, range.block));
             body.block_begins.push_back(range.begin);
         }
         data.bodies.push_back(std::move(body));
@@ -310,6 +338,13 @@ void SceneSimulation<S>::restore(const CheckpointData& data) {
                 value = saved->second;
         engine_.restore_contact(k, state);
     }
+    std::vector<Eigen::Vector3d> starts = engine_.level_starts(), shifts = engine_.level_shifts();
+    for (std::size_t k = 0; k < starts.size(); ++k)
+        for (int a = 0; a < S::dimension; ++a) {
+            load(level_name(k, "start", a), starts[k][a]);
+            load(level_name(k, "shift", a), shifts[k][a]);
+        }
+    engine_.restore_levels(std::move(starts), std::move(shifts));
     if (rest_ > 0 && data.scene != scene_text_) numbers_.scene_from_step = static_cast<double>(step_);
     if (numbers_.fixed_step != step_length_) {
         numbers_.fixed_step = step_length_;
@@ -338,8 +373,10 @@ void SceneSimulation<S>::restore(const CheckpointData& data) {
         std::vector<BlockRange> ranges;
         for (std::size_t r = 0; r < body->block_numbers.size(); ++r) {
             const bool last = r + 1 == body->block_numbers.size();
-            ranges.push_back({body->block_numbers[r], static_cast<Index>(body->block_begins[r]),
-                              static_cast<Index>(last ? body->size : body->block_begins[r + 1])});
+            const int number = body->block_numbers[r];
+            ranges.push_back({engine_.levels().block_of(number), static_cast<Index>(body->block_begins[r]),
+                              static_cast<Index>(last ? body->size : body->block_begins[r + 1]),
+                              engine_.levels().level_of(number)});
         }
         engine_.restore(b, std::move(ranges));
     }

@@ -82,6 +82,8 @@ class Simulation : public RunView {
     virtual std::vector<std::string> node_fields() const = 0;
     /// Whether the scene is at rest; empty unless it is to end then.
     virtual std::optional<bool> at_rest() const = 0;
+    /// Cells and particles of the grid's levels; null if there is one.
+    virtual Json levels() const = 0;
     /// Norms of the deviation from the scene's exact solution so far; empty if it has none.
     virtual std::optional<Json> error() const = 0;
     /// Compares the present state with the exact solution; called once before the first step and once after

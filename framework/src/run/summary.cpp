@@ -86,6 +86,7 @@ Json summarise(const Simulation& simulation, const PluginCatalogue& catalogue, c
         own = {{"particles", body.particles}, {"mass", body.mass}, {"volume", body.volume}};
         if (body.geometry_volume) own["geometry_volume"] = *body.geometry_volume;
     }
+    if (const Json levels = simulation.levels(); !levels.is_null()) summary.update(levels);
     for (const std::string& contact : simulation.contacts()) {
         const ContactReport report = simulation.contact(contact);
         const auto dimension = simulation.space().dimension();

@@ -8,33 +8,42 @@ namespace matpoint {
 template <class S>
 void Engine<S>::make_layers() {
     const ContactLayers& own = components_.layers;
-    for (std::size_t k = 1; k < own.count; ++k) further_layers_.push_back(patch_.layer());
-    layers_ = {&patch_};
-    for (Patch<S>& layer : further_layers_) layers_.push_back(&layer);
-    for (std::size_t b = 0; b < bodies_.size(); ++b)
-        nodes_of_.push_back(own.count > 1 ? layers_[own.layer[b]] : &patch_);
+    for (int level = 0; level < levels_.count(); ++level) {
+        Patch<S>& first = levels_.patch(level);
+        const std::size_t begin = layers_.size();
+        layers_.push_back(&first);
+        for (std::size_t k = 1; k < own.count; ++k) {
+            further_layers_.push_back(first.layer());
+            layers_.push_back(&further_layers_.back());
+        }
+        for (std::size_t b = 0; b < bodies_.size(); ++b)
+            nodes_of_.push_back(own.count > 1 ? layers_[begin + own.layer[b]] : &first);
+    }
     if (own.count > 1) pairs_.emplace(components_.contacts, own, patch_, *components_.shape);
 }
 
 template <class S>
 void Engine<S>::make_blocks() {
-    std::vector<std::vector<std::size_t>> bodies(layers_.size());
+    const std::size_t per_level = layers_.size() / static_cast<std::size_t>(levels_.count());
+    std::vector<std::vector<std::size_t>> bodies(per_level);
     for (std::size_t b = 0; b < bodies_.size(); ++b)
         bodies[pairs_ ? components_.layers.layer[b] : 0].push_back(b);
     std::vector<std::vector<int>> blocks;
-    for (const auto& own : bodies) blocks.push_back(ordering_.blocks(patch_, own));
+    for (std::size_t k = 0; k < layers_.size(); ++k)
+        blocks.push_back(ordering_.blocks(*layers_[k], bodies[k % per_level]));
+    LevelBorders<S>::add_parents(levels_, blocks);
     patch_.set_blocks(layers_, blocks);
     if (!pairs_) return;
     std::vector<ParticlesOfBlock> particles;
     for (std::size_t b = 0; b < bodies_.size(); ++b)
         for (const BlockRange& range : ordering_.ranges(b))
-            particles.push_back({b, range.block, range.begin, range.end});
+            particles.push_back({b, range.block, range.begin, range.end, range.level});
     pairs_->nodes().locate(layers_, components_.layers.layer, particles);
 }
 
 template <class S>
 void Engine<S>::meet() {
-    pairs_->nodes().find(patch_, bodies_, inside_, walls_.mirrors(), pairs_->needs_neighbours());
+    pairs_->nodes().find(bodies_, inside_, walls_.mirrors(), pairs_->needs_neighbours());
     pairs_->orient();
     separation_.clear();
 }
@@ -110,9 +119,16 @@ void Engine<S>::act_with_tools() {
     for (const PlacedContact<S>& placed : components_.contacts) {
         Tool<S>* const tool = placed.contact->tool();
         if (!tool) continue;
-        ToolContext<S> context{
-            time_,   dt_,    bodies_, nodes_of_, *components_.shape, walls_.prescribed_components(),
-            inside_, pushes_};
+        ToolContext<S> context{time_,
+                               dt_,
+                               bodies_,
+                               nodes_of_,
+                               *components_.shape,
+                               walls_.prescribed_components(),
+                               inside_,
+                               pushes_,
+                               levels_.count() > 1 ? &level_at_ : nullptr,
+                               levels_.count() > 1 ? &parents_of_ : nullptr};
         guarded(*tool, "act", [&] { tool->act(context); });
     }
     for (const auto& push : pushes_)

@@ -27,9 +27,11 @@ Engine<S>::Engine(Components<S> components, std::vector<Particles<S>>& bodies, s
     : components_(std::move(components)),
       bodies_(bodies),
       first_states_(std::move(first_states)),
-      patch_(components_.grid->patch()),
+      levels_(*components_.levels),
+      patch_(levels_.patch(0)),
       ordering_(bodies.size()),
       walls_(components_.conditions),
+      ties_(levels_.count(), walls_, borders_),
       unilateral_(components_.conditions),
       held_parts_(components_.conditions),
       light_nodes_(components_.light_nodes, lowest_density<S>(components_.materials)) {
@@ -39,7 +41,10 @@ Engine<S>::Engine(Components<S> components, std::vector<Particles<S>>& bodies, s
         for (const NodeField field :
              {NodeField::lumped_velocity, NodeField::resampled_momentum, NodeField::resampled_velocity})
             patch_.require(field);
+    if (levels_.count() > 1 && components_.transfer->affine()) patch_.require(NodeField::affine_momentum);
     make_layers();
+    for (const Follow& follow : components_.follows) level_starts_.push_back(place_of(follow));
+    level_shifts_.assign(level_starts_.size(), Eigen::Vector3d::Zero());
     for (const Particles<S>& particles : bodies_) {
         const Real* mass = particles.column(Field::mass);
         for (Index p = 0; p < particles.size(); ++p)
@@ -78,15 +83,21 @@ void Engine<S>::step(long number, double time, double dt, double last_dt) {
 template <class S>
 void Engine<S>::prepare() {
     const Timer timer(*this, StepPhase::order);
+    move_levels();
     for (Particles<S>& particles : bodies_)
-        guarded(*components_.shape, "start_step", [&] { components_.shape->start_step(patch_, particles); });
-    if (ordering_.update(patch_, bodies_, *components_.shape) || !located_) {
+        guarded(*components_.shape, "start_step",
+                [&] { components_.shape->start_step(levels_.finest(), particles); });
+    if (ordering_.update(levels_, bodies_, *components_.shape) || !located_) {
         make_blocks();
-        walls_.locate(layers_);
-        unilateral_.locate(patch_, walls_.prescribed_components());
+        borders_.locate(levels_, layers_);
+        walls_.locate(layers_, borders_.followers());
         inside_.resize(static_cast<std::size_t>(patch_.node_count()));
         for (int i = 0; i < static_cast<int>(patch_.node_count()); ++i)
-            inside_[static_cast<std::size_t>(i)] = patch_.inside(patch_.node_coordinates(i));
+            inside_[static_cast<std::size_t>(i)] =
+                layers_[patch_.layer_of(i)]->inside(patch_.node_coordinates(i));
+        for (std::size_t i = 0; i < borders_.followers().size(); ++i)
+            if (borders_.followers()[i] != 0) inside_[i] = 0;
+        unilateral_.locate(layers_, inside_, walls_.prescribed_components());
         located_ = true;
     }
 }
@@ -127,11 +138,13 @@ void Engine<S>::scatter(const Scatter& request) {
                              const BlockRange& range =
                                  ranges[static_cast<std::size_t>(colour[static_cast<std::size_t>(k)])];
                              guarded(*components_.shape, "scatter", [&] {
-                                 components_.shape->scatter(*nodes_of_[b], bodies_[b], range.begin, range.end,
-                                                            own);
+                                 components_.shape->scatter(nodes(b, range.level), bodies_[b], range.begin,
+                                                            range.end, own);
                              });
                          });
     }
+    if (levels_.count() > 1 && request.momentum && extends(*request.momentum))
+        extend_to_parents(*request.momentum);
 }
 
 template <class S>
@@ -151,11 +164,12 @@ void Engine<S>::project(typename Phases<S>::Projection projection) {
     scatter(request);
     if (projection.velocity) {
         apply_loads();  // while mass is what the particles gave, not yet folded
-        held_parts_.hold(nodes_of_, bodies_, ordering_, *components_.shape, walls_);
-        walls_.fold_mass(patch_);
+        held_parts_.hold(nodes_of_, inside_, bodies_, ordering_, *components_.shape, walls_);
+        ties_.fold_mass(patch_);
         if (pairs_) meet();
-        light_nodes_.locate(layers_, inside_, walls_.prescribed_components(), !components_.loads.empty());
-        walls_.fold_momentum(patch_, NodeField::velocity, velocity_from_);
+        light_nodes_.locate(layers_, inside_, walls_.prescribed_components(), borders_.left(),
+                            !components_.loads.empty());
+        ties_.fold_momentum(patch_, NodeField::velocity, velocity_from_);
         // A transfer that replaces particle velocities lets walls stop momentum here already; the
         // momentum itself is kept in the acceleration until that is counted.
         const Real share = components_.transfer->grid_share();
@@ -174,12 +188,12 @@ void Engine<S>::project(typename Phases<S>::Projection projection) {
             light_nodes_.keep_velocity(patch_);
             light_nodes_.follow_velocity(patch_, NodeField::velocity);
             if (dt_ > 0) unilateral_.push_ahead(patch_);  // else no step follows
-            walls_.fill_velocity(patch_, NodeField::velocity, ahead);
+            ties_.fill_velocity(patch_, NodeField::velocity, ahead);
             if (has_terms()) add_terms(NodeField::velocity, ahead);
         }
         terms_added_ = has_terms() && !projection.internal_force;
     }
-    if (projection.internal_force) walls_.fold_force(patch_, NodeField::force);
+    if (projection.internal_force) ties_.fold_force(patch_, NodeField::force);
 }
 
 template <class S>
@@ -187,8 +201,13 @@ void Engine<S>::apply_loads() {
     if (components_.loads.empty()) return;
     const Timer timer(*this, StepPhase::loads);
     patch_.clear(NodeField::external_force);
-    LoadContext<S> context{time_,    patch_, bodies_, *components_.shape, components_.exact_solution.get(),
-                           nodes_of_};
+    LoadContext<S> context{time_,
+                           patch_,
+                           bodies_,
+                           *components_.shape,
+                           components_.exact_solution.get(),
+                           nodes_of_,
+                           levels_.count() > 1 ? &level_at_ : nullptr};
     for (const auto& load : components_.loads) guarded(*load, "apply", [&] { load->apply(context); });
     double squares = 0;
     for (int c = 0; c < S::dimension; ++c) {
@@ -204,7 +223,7 @@ void Engine<S>::apply_loads() {
     const Real* mass = patch_.column(NodeField::mass);
     const double whole = std::accumulate(mass, mass + patch_.node_count(), 0.0);
     tally_.load_acceleration = whole > 0 ? std::sqrt(squares) / whole : 0;
-    walls_.fold_force(patch_, NodeField::external_force);
+    ties_.fold_force(patch_, NodeField::external_force);
 }
 
 template <class S>
@@ -220,7 +239,7 @@ void Engine<S>::finish_velocity(NodeField field, const PathMean& mean) {
         }
     });
     walls_.constrain(patch_, field, mean);
-    walls_.fill_velocity(patch_, field, mean);
+    ties_.fill_velocity(patch_, field, mean);
 }
 
 template <class S>
@@ -264,8 +283,8 @@ void Engine<S>::accelerate(Real dt, Real factor) {
     walls_.constrain(patch_, NodeField::velocity, velocity_to_);
     follow_light_nodes(components_.transfer->grid_share() / dt);
     unilateral_.push(patch_, dt);
-    walls_.fill_acceleration(patch_, velocity_from_, velocity_to_, dt_);
-    walls_.fill_velocity(patch_, NodeField::velocity, velocity_to_);
+    ties_.fill_acceleration(patch_, velocity_from_, velocity_to_, dt_);
+    ties_.fill_velocity(patch_, NodeField::velocity, velocity_to_);
     add_reactions(NodeField::force, NodeField::acceleration, dt_,
                   {(velocity_from_.time + velocity_to_.time) / 2});
     if (has_terms()) {
@@ -284,9 +303,15 @@ void Engine<S>::accelerate(Real dt, Real factor) {
 template <class S>
 void Engine<S>::follow_light_nodes(Real share) {
     const bool count = share > 0 && !light_nodes_.empty();
-    if (count) walls_.fill_velocity(patch_, NodeField::velocity, velocity_to_);
+    if (count) {
+        ties_.fill_velocity(patch_, NodeField::velocity, velocity_to_);
+        walls_.keep_ghosts(patch_, NodeField::velocity);
+    }
     light_nodes_.follow_velocity(patch_, NodeField::velocity, share);
-    if (count) walls_.add_change_of_ghosts(patch_, NodeField::velocity, velocity_to_, share);
+    if (!count) return;
+    // What ghosts are images of may follow from others.
+    if (levels_.count() > 1) ties_.fill_velocity(patch_, NodeField::velocity, velocity_to_);
+    walls_.add_change_of_ghosts(patch_, NodeField::velocity, velocity_to_, share);
 }
 
 template <class S>
@@ -330,7 +355,7 @@ void Engine<S>::remap() {
     const Timer timer(*this, StepPhase::nodes);
     patch_.clear(NodeField::remapped_velocity);
     scatter({.momentum = NodeField::remapped_velocity});
-    walls_.fold_momentum(patch_, NodeField::remapped_velocity, velocity_to_);
+    ties_.fold_momentum(patch_, NodeField::remapped_velocity, velocity_to_);
     finish_velocity(NodeField::remapped_velocity, velocity_to_);
     if (pairs_) {
         separate(NodeField::remapped_velocity);
@@ -338,7 +363,7 @@ void Engine<S>::remap() {
     }
     light_nodes_.follow_velocity(patch_, NodeField::remapped_velocity);
     unilateral_.hold(patch_, NodeField::remapped_velocity);
-    walls_.fill_velocity(patch_, NodeField::remapped_velocity, velocity_to_);
+    ties_.fill_velocity(patch_, NodeField::remapped_velocity, velocity_to_);
     if (has_terms()) add_terms(NodeField::remapped_velocity, velocity_to_);
 }
 

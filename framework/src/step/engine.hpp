@@ -8,14 +8,18 @@
 #include <matpoint/transfer.hpp>
 
 #include "contact/pairs.hpp"
+#include "grid/levels.hpp"
 #include "step/artificial_viscosity.hpp"
 #include "step/held_parts.hpp"
 #include "step/light_nodes.hpp"
 #include "step/ordering.hpp"
+#include "step/ties.hpp"
 #include "step/unilateral.hpp"
 #include "step/walls.hpp"
 
 #include <algorithm>
+#include <deque>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -23,10 +27,17 @@
 
 namespace matpoint {
 
+/// What a level goes with: a body or a tool.
+struct Follow {
+    std::optional<std::size_t> body{}, contact{};
+};
+
 /// The components of a scene that take part in a step.
 template <class S>
 struct Components {
     std::shared_ptr<Grid<S>> grid;
+    std::shared_ptr<Levels<S>> levels;  ///< of the grid
+    std::vector<Follow> follows;        ///< by level from 1 on
     std::shared_ptr<ShapeFunction<S>> shape;
     std::shared_ptr<Transfer<S>> transfer;
     std::shared_ptr<Integrator<S>> integrator;
@@ -135,14 +146,22 @@ class Engine final : public Phases<S> {
     }
     void restore(const Tally& tally) { tally_ = tally; }
     void restore(std::size_t body, std::vector<BlockRange> ranges) {
-        ordering_.restore(patch_, bodies_, body, std::move(ranges));
+        ordering_.restore(levels_, bodies_, body, std::move(ranges));
         located_ = false;
         off_grid_ = true;
     }
     void forget(std::size_t body) { ordering_.forget(body); }
-    /// All nodes, and those of a body.
+    const Levels<S>& levels() const { return levels_; }
+    /// Where what the levels follow was at the start, and how far they have gone with it, m, by level from 1
+    /// on; a checkpoint keeps both.
+    const std::vector<Eigen::Vector3d>& level_starts() const { return level_starts_; }
+    const std::vector<Eigen::Vector3d>& level_shifts() const { return level_shifts_; }
+    void restore_levels(std::vector<Eigen::Vector3d> starts, std::vector<Eigen::Vector3d> shifts);
+    /// All nodes, and those of a body on the coarsest level.
     const Patch<S>& patch() const { return patch_; }
     const Patch<S>& patch(std::size_t body) const { return *nodes_of_[body]; }
+    /// By node: on or within the grid's faces, and moves by itself.
+    const std::vector<char>& inside() const { return inside_; }
     /// What the contacts, in the scene's order, have done so far; a checkpoint keeps it.
     ContactReport contact_report(std::size_t contact) const;
     std::map<std::string, double> contact_state(std::size_t contact) const;
@@ -151,7 +170,7 @@ class Engine final : public Phases<S> {
     /// Memory of all nodes.
     std::size_t node_bytes() const {
         std::size_t bytes = patch_.bytes();
-        for (const Patch<S>& layer : further_layers_) bytes += layer.table_bytes();
+        for (const Patch<S>* layer : layers_) bytes += layer == &patch_ ? 0 : layer->table_bytes();
         return bytes;
     }
     const Material<S>& material(std::size_t body) const { return *components_.materials[body]; }
@@ -171,6 +190,7 @@ class Engine final : public Phases<S> {
     void scatter(const Scatter& request);
     /// Whether particles extend their velocity to the nodes' places in this momentum.
     bool extends(NodeField momentum) const;
+    void extend_to_parents(NodeField momentum);
     void apply_loads();
     /// Momentum to velocity, zero where there is hardly any mass; then walls.
     void finish_velocity(NodeField field, const PathMean& mean);
@@ -215,6 +235,13 @@ class Engine final : public Phases<S> {
     /// Brings all particles to a halt.
     void stop();
     void make_layers();
+    /// Brings levels that follow a body or tool to where that is.
+    void move_levels();
+    Eigen::Vector3d place_of(const Follow& follow) const;
+    /// What a body's particles of a level see.
+    Patch<S>& nodes(std::size_t body, int level) const {
+        return *nodes_of_[static_cast<std::size_t>(level) * bodies_.size() + body];
+    }
     void make_blocks();
     /// Finds where bodies meet, by the mass of the nodes.
     void meet();
@@ -253,24 +280,35 @@ class Engine final : public Phases<S> {
     Components<S> components_;
     std::vector<Particles<S>>& bodies_;
     std::vector<int> first_states_;
+    Levels<S>& levels_;
     Patch<S>& patch_;
     Ordering<S> ordering_;
     Walls<S> walls_;
+    LevelBorders<S> borders_;
+    Ties<S> ties_;
     UnilateralFaces<S> unilateral_;
     HeldParts<S> held_parts_;
     LightNodes<S> light_nodes_;
-    std::vector<Patch<S>> further_layers_;
-    std::vector<Patch<S>*> layers_, nodes_of_;           ///< of the nodes: all, and by body
-    std::optional<ContactPairs<S>> pairs_;               ///< if bodies have velocities of their own
-    std::vector<typename ToolContext<S>::Push> pushes_;  ///< by tools, in this step
-    std::vector<typename S::Position> start_, meeting_;  ///< by share of a meeting node, m/s
+    std::deque<Patch<S>> further_layers_;
+    /// Of the nodes: by level, then by layer of contact; and by level, then by body.
+    std::vector<Patch<S>*> layers_, nodes_of_;
+    std::vector<Eigen::Vector3d> level_starts_, level_shifts_;  ///< m, by level from 1 on: of what it follows
+    std::optional<ContactPairs<S>> pairs_;                      ///< if bodies have velocities of their own
+    std::vector<typename ToolContext<S>::Push> pushes_;         ///< by tools, in this step
+    std::vector<typename S::Position> start_, meeting_;         ///< by share of a meeting node, m/s
     /// By share of a meeting node: what contact did in the step, and what separate() did until forces act.
     std::vector<typename ContactPairs<S>::Change> change_, separation_;
     bool terms_added_ = false;  ///< whether NodeField::velocity has more terms than it is accelerated with
     bool located_ = false;
     bool off_grid_ = true;  ///< whether a particle may have left the grid
     double largest_mass_ = 0;
-    std::vector<char> inside_;            ///< by node: on or within the grid's faces
+    std::vector<char> inside_;  ///< by node: on or within the grid's faces, and moves by itself
+    const std::function<int(const typename S::Position&)> level_at_ = [this](const typename S::Position& x) {
+        return levels_.at(x);
+    };
+    const std::function<std::span<const NodePart<Real>>(int)> parents_of_ = [this](int node) {
+        return borders_.parents(node);
+    };
     std::array<double, 3> load_force_{};  ///< N, sum of the external forces
     std::vector<Real> damping_force_;     ///< N, by component, then by node
     std::vector<double> node_sums_;       ///< by task over nodes

@@ -34,7 +34,7 @@ void Engine<S>::resample(NodeField velocity, const PathMean& mean) {
                 const BlockRange& range = ranges[static_cast<std::size_t>(r)];
                 GridVelocity sink(bodies_[b]);
                 guarded(*components_.shape, "gather", [&] {
-                    components_.shape->gather(*nodes_of_[b], bodies_[b], range.begin, range.end,
+                    components_.shape->gather(nodes(b, range.level), bodies_[b], range.begin, range.end,
                                               {.velocity = velocity}, sink);
                 });
             });
@@ -42,14 +42,14 @@ void Engine<S>::resample(NodeField velocity, const PathMean& mean) {
     }
     patch_.clear(NodeField::resampled_momentum);
     scatter({.momentum = NodeField::resampled_momentum});
-    walls_.fold_momentum(patch_, NodeField::resampled_momentum, mean);
+    ties_.fold_momentum(patch_, NodeField::resampled_momentum, mean);
     for (int c = 0; c < S::dimension; ++c)
         std::copy_n(patch_.column(NodeField::resampled_momentum, c), patch_.node_count(),
                     patch_.column(NodeField::resampled_velocity, c));
     finish_velocity(NodeField::resampled_velocity, mean);
     light_nodes_.follow_velocity(patch_, NodeField::resampled_velocity, Real(1),
                                  NodeField::resampled_momentum);
-    walls_.fill_velocity(patch_, NodeField::resampled_velocity, mean);
+    ties_.fill_velocity(patch_, NodeField::resampled_velocity, mean);
 }
 
 /// With S+ S = m^-1 M, M the full mass matrix and m the lumped one,

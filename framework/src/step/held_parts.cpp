@@ -32,8 +32,9 @@ HeldParts<S>::HeldParts(const std::vector<PlacedCondition<S>>& conditions) {
 }
 
 template <class S>
-void HeldParts<S>::hold(std::span<Patch<S>* const> nodes, const std::vector<Particles<S>>& bodies,
-                        const Ordering<S>& ordering, const ShapeFunction<S>& shape, Walls<S>& walls) const {
+void HeldParts<S>::hold(std::span<Patch<S>* const> nodes, const std::vector<char>& inside,
+                        const std::vector<Particles<S>>& bodies, const Ordering<S>& ordering,
+                        const ShapeFunction<S>& shape, Walls<S>& walls) const {
     walls.let_go();
     for (const Part& part : parts_) {
         Patch<S>& patch = *nodes[part.body];
@@ -41,14 +42,16 @@ void HeldParts<S>::hold(std::span<Patch<S>* const> nodes, const std::vector<Part
         const auto& ranges = ordering.ranges(part.body);
         for (const std::vector<Index>& colour : ordering.colours(part.body))
             parallel_for(static_cast<Index>(colour.size()), bodies[part.body].size(), [&](Index k) {
-                const Index range = colour[static_cast<std::size_t>(k)];
-                spread(patch, bodies[part.body], ranges[static_cast<std::size_t>(range)], part.slot, shape);
+                const BlockRange& range =
+                    ranges[static_cast<std::size_t>(colour[static_cast<std::size_t>(k)])];
+                Patch<S>& own = *nodes[static_cast<std::size_t>(range.level) * bodies.size() + part.body];
+                spread(own, bodies[part.body], range, part.slot, shape);
             });
         const Real* const mass = patch.column(NodeField::mass);
         const Real* const own = patch.column(NodeField::acceleration, 0);
         for (int i = 0; i < static_cast<int>(patch.node_count()); ++i)
             if (own[i] > 0 && own[i] >= static_cast<Real>(least_share) * mass[i] &&
-                patch.inside(patch.node_coordinates(i)))
+                inside[static_cast<std::size_t>(i)] != 0)
                 walls.hold_node(patch, i, part.condition);
     }
 }

@@ -20,9 +20,11 @@ class HeldParts {
     explicit HeldParts(const std::vector<PlacedCondition<S>>& conditions);
 
     /// Lets go of all nodes and holds those that the parts are at. Nodes' mass must be there as the particles
-    /// gave it, not yet folded; NodeField::acceleration is overwritten. `nodes`, by body: its layer of them.
-    void hold(std::span<Patch<S>* const> nodes, const std::vector<Particles<S>>& bodies,
-              const Ordering<S>& ordering, const ShapeFunction<S>& shape, Walls<S>& walls) const;
+    /// gave it, not yet folded; NodeField::acceleration is overwritten. `nodes`, by level, then by body: its
+    /// layer of them; `inside`, by node: whether it can be held.
+    void hold(std::span<Patch<S>* const> nodes, const std::vector<char>& inside,
+              const std::vector<Particles<S>>& bodies, const Ordering<S>& ordering,
+              const ShapeFunction<S>& shape, Walls<S>& walls) const;
 
     static constexpr double least_share = 0.15;
 

@@ -30,7 +30,7 @@ void for_directions(const Visit& visit) {
 template <class S>
 double times_at_faces(const Patch<S>& patch, const typename Patch<S>::Coordinates& node) {
     double times = 1;
-    for (std::size_t a = 0; a < S::dimension; ++a)
+    for (std::size_t a = 0; a < S::dimension && !patch.centred(); ++a)
         if (node[a] == 0 || node[a] == patch.cells()[a]) times *= 2;
     return times;
 }
@@ -51,8 +51,10 @@ LightNodes<S>::LightNodes(double share, double density) : share_(share), density
 
 /// kg, of a node in the midst of the lightest body; at the grid's faces, of what is within.
 template <class S>
-double LightNodes<S>::full_mass(const Patch<S>& patch, const Coordinates& node) const {
+double LightNodes<S>::full_mass(const Patch<S>& patch, int place) const {
+    const Coordinates node = patch.node_coordinates(place);
     double mass = density_ / times_at_faces<S>(patch, node);
+    if (!left_.empty()) mass *= static_cast<double>(left_[static_cast<std::size_t>(place)]);
     for (int a = 0; a < S::dimension; ++a) mass *= patch.cell_size()[a];
     if constexpr (S::axisymmetric) {
         const double h = patch.cell_size()[0];
@@ -63,7 +65,9 @@ double LightNodes<S>::full_mass(const Patch<S>& patch, const Coordinates& node) 
 
 template <class S>
 void LightNodes<S>::locate(std::span<Patch<S>* const> layers, const std::vector<char>& inside,
-                           const std::vector<unsigned char>& prescribed, bool loaded) {
+                           const std::vector<unsigned char>& prescribed, const std::vector<float>& left,
+                           bool loaded) {
+    left_ = left;
     links_.clear();
     leads_.clear();
     kept_.clear();
@@ -90,7 +94,7 @@ void LightNodes<S>::locate(std::span<Patch<S>* const> layers, const std::vector<
         const bool heavy = inside[place] && mass[i] > limit;
         states_[place] = heavy ? State::firm : State::none;
         if (heavy || !inside[place] || (mass[i] == Real(0) && !has_load(i))) continue;
-        if (static_cast<double>(mass[i]) >= share_ * full_mass(patch, patch.node_coordinates(i)))
+        if (static_cast<double>(mass[i]) >= share_ * full_mass(layer(i), i))
             states_[place] = State::firm;
         else
             light_.push_back(i);
@@ -196,7 +200,7 @@ auto LightNodes<S>::along_lines(const Patch<S>& patch, int i) -> std::optional<L
     if (std::ranges::any_of(found, has_opposite)) return Link{.node = i, .part = 0, .begin = 0, .end = 0};
 
     const double part =
-        static_cast<double>(patch.column(NodeField::mass)[i]) / (share_ * full_mass(patch, node));
+        static_cast<double>(patch.column(NodeField::mass)[i]) / (share_ * full_mass(patch, i));
     const std::size_t begin = leads_.size();
     for (const Found& own : found) {
         const auto weight = static_cast<Real>(1.0 / static_cast<double>(found.size()));

@@ -35,9 +35,10 @@ class LightNodes {
 
     /// Finds them in each of the layers by the present mass of the nodes, with that of ghosts folded.
     /// `inside`, by node: on or within the grid's faces; `prescribed`, by node: a bit for each component that
-    /// a boundary condition sets; `loaded`: whether NodeField::external_force exists.
+    /// a boundary condition sets; `left`, by node: what part of its function finer levels leave, empty if
+    /// all; `loaded`: whether NodeField::external_force exists.
     void locate(std::span<Patch<S>* const> layers, const std::vector<char>& inside,
-                const std::vector<unsigned char>& prescribed, bool loaded);
+                const std::vector<unsigned char>& prescribed, const std::vector<float>& left, bool loaded);
     bool empty() const { return links_.empty(); }
 
     /// Makes a velocity field one that particles may read. What goes to prescribed components is added,
@@ -80,7 +81,7 @@ class LightNodes {
         double mass = 0;
     };
 
-    double full_mass(const Patch<S>& patch, const Coordinates& node) const;
+    double full_mass(const Patch<S>& patch, int node) const;
     int firm_node(const Patch<S>& patch, const Coordinates& from, const Coordinates& direction,
                   int steps) const;
     bool mirrored(const Patch<S>& patch, const Coordinates& node, const Coordinates& direction) const;
@@ -105,6 +106,7 @@ class LightNodes {
     std::vector<Lead> leads_;
     std::vector<State> states_;  ///< by node
     std::span<const unsigned char> prescribed_;
+    std::span<const float> left_;
     std::vector<int> light_;
     std::vector<float> shared_;  ///< by node: sum_k |E_kj|
     std::vector<Found> found_;

@@ -2,6 +2,8 @@
 
 #include <matpoint/parallel.hpp>
 
+#include "step/splitting.hpp"
+
 #include <algorithm>
 #include <numeric>
 
@@ -43,14 +45,15 @@ std::vector<Stray> Ordering<S>::strays(const Patch<S>& patch, const std::vector<
 }
 
 template <class S>
-bool Ordering<S>::update(Patch<S>& patch, std::vector<Particles<S>>& bodies, const ShapeFunction<S>& shape) {
+bool Ordering<S>::update(const Levels<S>& levels, std::vector<Particles<S>>& bodies,
+                         const ShapeFunction<S>& shape) {
     bool sorted = false;
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         const Index covered = ranges_[b].empty() ? 0 : ranges_[b].back().end;
-        if (covered == bodies[b].size() && !strayed(patch, bodies[b], b, shape)) continue;
-        if (!sorted) patch.set_blocks({});
-        sort(patch, bodies[b], ranges_[b], shape);
-        colour(patch, b);
+        if (covered == bodies[b].size() && !strayed(levels, bodies[b], b, shape)) continue;
+        if (!sorted) levels.patch(0).set_blocks({});
+        sort(levels, bodies[b], ranges_[b], shape);
+        colour(levels, b);
         measure(bodies[b], b);
         sorted = true;
     }
@@ -58,9 +61,10 @@ bool Ordering<S>::update(Patch<S>& patch, std::vector<Particles<S>>& bodies, con
 }
 
 template <class S>
-bool Ordering<S>::strayed(const Patch<S>& patch, const Particles<S>& particles, std::size_t body,
+bool Ordering<S>::strayed(const Levels<S>& levels, const Particles<S>& particles, std::size_t body,
                           const ShapeFunction<S>& shape) const {
     for (std::size_t r = 0; r < ranges_[body].size(); ++r) {
+        const Patch<S>& patch = levels.patch(ranges_[body][r].level);
         const Bounds<S>& bounds = bounds_[body][r];
         const auto block = patch.block_coordinates(ranges_[body][r].block);
         const auto base_of = [&](const typename S::Position& x) {
@@ -73,7 +77,20 @@ bool Ordering<S>::strayed(const Patch<S>& patch, const Particles<S>& particles, 
             const int first = Patch<S>::block_edge * block[a] - 1;
             if (low[a] - first < -1 || high[a] - first > Patch<S>::block_edge) return true;
         }
+        if (levels.count() > 1 && strayed_to_other_level(levels, particles, body, r)) return true;
     }
+    return false;
+}
+
+template <class S>
+bool Ordering<S>::strayed_to_other_level(const Levels<S>& levels, const Particles<S>& particles,
+                                         std::size_t body, std::size_t range) const {
+    const BlockRange& own = ranges_[body][range];
+    const Bounds<S>& bounds = bounds_[body][range];
+    if (levels.may_all_be(own.level, lowest_position<S>(bounds.low), highest_position<S>(bounds.high)))
+        return false;
+    for (Index p = own.begin; p < own.end; ++p)
+        if (!levels.may_be(own.level, particles.position(p))) return true;
     return false;
 }
 
@@ -93,15 +110,16 @@ void Ordering<S>::measure(const Particles<S>& particles, std::size_t body) {
 }
 
 template <class S>
-void Ordering<S>::sort(const Patch<S>& patch, Particles<S>& particles, Ranges& ranges,
+void Ordering<S>::sort(const Levels<S>& levels, Particles<S>& particles, Ranges& ranges,
                        const ShapeFunction<S>& shape) {
-    const Column sorted = order(patch, particles, ranges, shape);
+    if (levels.count() > 1) split_arrived(levels, particles);
+    const Column sorted = order(levels, particles, ranges, shape);
     particles.permute({sorted[0], static_cast<std::size_t>(sorted.size())});
 }
 
 /// By counting: the particles of each block, then of each cell in it, in their present order.
 template <class S>
-typename Ordering<S>::Column Ordering<S>::order(const Patch<S>& patch, const Particles<S>& particles,
+typename Ordering<S>::Column Ordering<S>::order(const Levels<S>& levels, const Particles<S>& particles,
                                                 Ranges& ranges, const ShapeFunction<S>& shape) const {
     constexpr int nodes = Patch<S>::block_nodes;
     const Index n = particles.size();
@@ -112,19 +130,29 @@ typename Ordering<S>::Column Ordering<S>::order(const Patch<S>& patch, const Par
     std::uint32_t* const block = blocks[0];
     std::vector<unsigned char> cell(count);
     parallel_for((n + chunk - 1) / chunk, n, [&](Index k) {
-        const Index begin = k * chunk, end = std::min(n, begin + chunk);
-        std::vector<typename Patch<S>::Coordinates> base(static_cast<std::size_t>(end - begin));
-        guarded(shape, "base_nodes", [&] { shape.base_nodes(patch, particles, begin, end, base.data()); });
-        for (Index p = begin; p < end; ++p) {
-            const auto& node = base[static_cast<std::size_t>(p - begin)];
-            typename Patch<S>::Coordinates own;
-            int local = 0;
-            for (std::size_t a = S::dimension; a-- > 0;) {
-                own[a] = Patch<S>::block_of(node[a]);
-                local = local * Patch<S>::block_edge + ((node[a] + 1) & (Patch<S>::block_edge - 1));
+        const Index stop = std::min(n, (k + 1) * chunk);
+        std::vector<typename Patch<S>::Coordinates> base(static_cast<std::size_t>(stop - k * chunk));
+        const auto level_at = [&](Index p) {
+            return levels.count() > 1 ? levels.at(particles.position(p)) : 0;
+        };
+        for (Index begin = k * chunk, end; begin < stop; begin = end) {
+            const int level = level_at(begin);
+            end = levels.count() > 1 ? begin + 1 : stop;
+            while (end < stop && level_at(end) == level) ++end;
+            const Patch<S>& patch = levels.patch(level);
+            guarded(shape, "base_nodes",
+                    [&] { shape.base_nodes(patch, particles, begin, end, base.data()); });
+            for (Index p = begin; p < end; ++p) {
+                const auto& node = base[static_cast<std::size_t>(p - begin)];
+                typename Patch<S>::Coordinates own;
+                int local = 0;
+                for (std::size_t a = S::dimension; a-- > 0;) {
+                    own[a] = Patch<S>::block_of(node[a]);
+                    local = local * Patch<S>::block_edge + ((node[a] + 1) & (Patch<S>::block_edge - 1));
+                }
+                block[p] = static_cast<std::uint32_t>(levels.number_of(level, patch.block_number(own)));
+                cell[static_cast<std::size_t>(p)] = static_cast<unsigned char>(local);
             }
-            block[p] = static_cast<std::uint32_t>(patch.block_number(own));
-            cell[static_cast<std::size_t>(p)] = static_cast<unsigned char>(local);
         }
     });
 
@@ -145,19 +173,22 @@ typename Ordering<S>::Column Ordering<S>::order(const Patch<S>& patch, const Par
     std::partial_sum(next.begin(), next.end(), next.begin());
     ranges.clear();
     for (std::size_t r = 0; r < present.size(); ++r)
-        ranges.push_back({static_cast<int>(present[r]), next[r * nodes], next[(r + 1) * nodes]});
+        ranges.push_back({levels.block_of(static_cast<int>(present[r])), next[r * nodes],
+                          next[(r + 1) * nodes], levels.level_of(static_cast<int>(present[r]))});
     for (std::size_t p = 0, rank = 0; p < count; ++p)
         order[0][next[bin(p, rank)]++] = static_cast<std::uint32_t>(p);
     return order;
 }
 
 template <class S>
-void Ordering<S>::colour(const Patch<S>& patch, std::size_t body) {
-    // A stencil may reach a block on either side, so equal colours are three blocks apart.
+void Ordering<S>::colour(const Levels<S>& levels, std::size_t body) {
+    // A stencil may reach a block on either side, so equal colours are three blocks apart, or of different
+    // levels.
     constexpr std::size_t count = S::dimension == 1 ? 3 : S::dimension == 2 ? 9 : 27;
     colours_[body].assign(count, {});
     for (std::size_t r = 0; r < ranges_[body].size(); ++r) {
-        const auto block = patch.block_coordinates(ranges_[body][r].block);
+        const BlockRange& own = ranges_[body][r];
+        const auto block = levels.patch(own.level).block_coordinates(own.block);
         std::size_t number = 0;
         for (std::size_t a = S::dimension; a-- > 0;)
             number = number * 3 + static_cast<std::size_t>(block[a] % 3);
@@ -166,10 +197,10 @@ void Ordering<S>::colour(const Patch<S>& patch, std::size_t body) {
 }
 
 template <class S>
-void Ordering<S>::restore(const Patch<S>& patch, const std::vector<Particles<S>>& bodies, std::size_t body,
+void Ordering<S>::restore(const Levels<S>& levels, const std::vector<Particles<S>>& bodies, std::size_t body,
                           Ranges ranges) {
     ranges_[body] = std::move(ranges);
-    colour(patch, body);
+    colour(levels, body);
     measure(bodies[body], body);
 }
 
@@ -179,6 +210,7 @@ std::vector<int> Ordering<S>::blocks(const Patch<S>& patch, std::span<const std:
     std::vector<int> numbers;
     for (const std::size_t body : bodies)
         for (const BlockRange& range : ranges_[body]) {
+            if (range.level != patch.level()) continue;
             const Coordinates block = patch.block_coordinates(range.block);
             constexpr int neighbours = S::dimension == 1 ? 3 : S::dimension == 2 ? 9 : 27;
             for (int k = 0; k < neighbours; ++k) {

@@ -2,6 +2,8 @@
 
 #include <matpoint/shape_function.hpp>
 
+#include "grid/levels.hpp"
+
 #include <cmath>
 #include <limits>
 #include <span>
@@ -9,10 +11,11 @@
 
 namespace matpoint {
 
-/// Consecutive particles whose stencils began in one block of the grid when they were last sorted.
+/// Consecutive particles of one level whose stencils began in one block of it when they were last sorted.
 struct BlockRange {
     int block;
     Index begin, end;
+    int level = 0;
 };
 
 /// A particle that is off the grid, or whose position is not finite.
@@ -40,7 +43,8 @@ Bounds<S> domain(const Patch<S>& patch) {
     return room;
 }
 
-/// Keeps every body's particles in the order of the blocks that their stencils begin in.
+/// Keeps every body's particles in the order of the levels that they belong to and of the blocks that their
+/// stencils begin in. One that arrives in a finer level is split first (splitting.hpp).
 ///
 /// Between sorts a particle may stray by one cell from the block it was sorted into: stencils (up
 /// to four nodes an axis) then reach the neighbouring blocks at most. So the blocks that must exist
@@ -56,9 +60,10 @@ class Ordering {
     std::vector<Stray> strays(const Patch<S>& patch, const std::vector<Particles<S>>& bodies) const;
     /// Sorts the bodies if a particle has strayed too far, or never was sorted; true if it did. The grid has
     /// no blocks then: what they took serves for sorting.
-    bool update(Patch<S>& patch, std::vector<Particles<S>>& bodies, const ShapeFunction<S>& shape);
-    /// Blocks that must exist for these bodies: those with particles and all their neighbours, ascending.
-    std::vector<int> blocks(const Patch<S>& patch, std::span<const std::size_t> bodies) const;
+    bool update(const Levels<S>& levels, std::vector<Particles<S>>& bodies, const ShapeFunction<S>& shape);
+    /// Blocks of a level that must exist for these bodies: those with particles and all their neighbours,
+    /// ascending.
+    std::vector<int> blocks(const Patch<S>& level, std::span<const std::size_t> bodies) const;
 
     const Ranges& ranges(std::size_t body) const { return ranges_[body]; }
     /// Range numbers of a body by colour: stencils of ranges of one colour never overlap, and each
@@ -70,7 +75,7 @@ class Ordering {
     void measure(const Particles<S>& particles, std::size_t body);
 
     /// Continues with the ranges of a checkpoint.
-    void restore(const Patch<S>& patch, const std::vector<Particles<S>>& bodies, std::size_t body,
+    void restore(const Levels<S>& levels, const std::vector<Particles<S>>& bodies, std::size_t body,
                  Ranges ranges);
     /// Sorts at the next update, whatever has moved.
     void forget(std::size_t body) {
@@ -81,11 +86,14 @@ class Ordering {
   private:
     using Column = Columns<std::uint32_t>;
 
-    bool strayed(const Patch<S>& patch, const Particles<S>& particles, std::size_t body,
+    bool strayed(const Levels<S>& levels, const Particles<S>& particles, std::size_t body,
                  const ShapeFunction<S>& shape) const;
-    void colour(const Patch<S>& patch, std::size_t body);
-    void sort(const Patch<S>& patch, Particles<S>& particles, Ranges& ranges, const ShapeFunction<S>& shape);
-    Column order(const Patch<S>& patch, const Particles<S>& particles, Ranges& ranges,
+    bool strayed_to_other_level(const Levels<S>& levels, const Particles<S>& particles, std::size_t body,
+                                std::size_t range) const;
+    void colour(const Levels<S>& levels, std::size_t body);
+    void sort(const Levels<S>& levels, Particles<S>& particles, Ranges& ranges,
+              const ShapeFunction<S>& shape);
+    Column order(const Levels<S>& levels, const Particles<S>& particles, Ranges& ranges,
                  const ShapeFunction<S>& shape) const;
 
     std::vector<Ranges> ranges_;

@@ -35,18 +35,20 @@ UnilateralFaces<S>::UnilateralFaces(const std::vector<PlacedCondition<S>>& condi
 }
 
 template <class S>
-void UnilateralFaces<S>::locate(const Patch<S>& patch, const std::vector<unsigned char>& prescribed) {
+void UnilateralFaces<S>::locate(std::span<Patch<S>* const> layers, const std::vector<char>& inside,
+                                const std::vector<unsigned char>& prescribed) {
     prescribed_ = &prescribed;
+    const Patch<S>& all = *layers.front();
     for (Face& face : faces_) {
         const auto axis = static_cast<std::size_t>(face.axis);
-        const int place = face.side == 0 ? 0 : patch.cells()[axis];
         face.nodes.clear();
-        face.places.assign(static_cast<std::size_t>(patch.node_count()), -1);
-        for (int index = 0; index < static_cast<int>(patch.node_count()); ++index) {
-            const auto node = patch.node_coordinates(index);
-            if (node[axis] != place || !patch.inside(node)) continue;
+        face.places.assign(static_cast<std::size_t>(all.node_count()), -1);
+        for (int index = 0; index < static_cast<int>(all.node_count()); ++index) {
+            if (inside[static_cast<std::size_t>(index)] == 0) continue;
+            const Patch<S>& patch = *layers[all.layer_of(index)];
+            if (all.node_coordinates(index)[axis] != (face.side == 0 ? 0 : patch.cells()[axis])) continue;
             face.places[static_cast<std::size_t>(index)] = static_cast<int>(face.nodes.size());
-            face.nodes.push_back({.index = index});
+            face.nodes.push_back({.index = index, .cell = patch.cell_size()[face.axis]});
         }
     }
 }
@@ -54,16 +56,17 @@ void UnilateralFaces<S>::locate(const Patch<S>& patch, const std::vector<unsigne
 template <class S>
 void UnilateralFaces<S>::measure(std::span<Patch<S>* const> nodes, const std::vector<Particles<S>>& bodies,
                                  Ordering<S>& ordering, double dt) {
-    const Patch<S>& patch = *nodes.front();
     constexpr double reach = 2;  // cells, in which a particle may be whose edge is within one
     for (Face& face : faces_) {
         for (Node& node : face.nodes)
-            node = {.index = node.index, .least = std::numeric_limits<double>::infinity()};
-        const double h = patch.cell_size()[face.axis];
-        const auto distance = [&](double x) {
-            return face.side == 0 ? x - face.place(patch) : face.place(patch) - x;
-        };
-        for (std::size_t b = 0; b < bodies.size(); ++b) {
+            node = {.index = node.index, .cell = node.cell, .least = std::numeric_limits<double>::infinity()};
+        for (std::size_t k = 0; k < nodes.size(); ++k) {
+            const Patch<S>& patch = *nodes[k];
+            const double h = patch.cell_size()[face.axis];
+            const auto distance = [&](double x) {
+                return face.side == 0 ? x - face.place(patch) : face.place(patch) - x;
+            };
+            const std::size_t b = k % bodies.size();
             const auto& ranges = ordering.ranges(b);
             const auto& bounds = ordering.bounds(b);
             for (std::size_t r = 0; r < ranges.size(); ++r) {
@@ -71,7 +74,7 @@ void UnilateralFaces<S>::measure(std::span<Patch<S>* const> nodes, const std::ve
                 if (distance(static_cast<double>(edge[face.axis])) > reach * h) continue;
                 for (Index p = ranges[r].begin; p < ranges[r].end; ++p) {
                     const double x = distance(bodies[b].value(Field::position, face.axis, p)) / h;
-                    if (x < reach) add(*nodes[b], bodies[b], p, x, face);
+                    if (x < reach) add(patch, bodies[b], p, x, face);
                 }
             }
         }
@@ -79,7 +82,7 @@ void UnilateralFaces<S>::measure(std::span<Patch<S>* const> nodes, const std::ve
             node.near = node.volume > 0;
             if (!node.near) continue;
             const double gap = std::max((3 * node.moment / node.volume - 1) / 2, node.least);
-            node.slowest = static_cast<Real>(-std::max(gap, 0.0) * h / dt);
+            node.slowest = static_cast<Real>(-std::max(gap, 0.0) * node.cell / dt);
         }
     }
 }

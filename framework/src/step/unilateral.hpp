@@ -29,11 +29,12 @@ class UnilateralFaces {
     explicit UnilateralFaces(const std::vector<PlacedCondition<S>>& conditions);
 
     bool empty() const { return faces_.empty(); }
-    /// Finds the nodes on the faces among those that exist, in all layers. `prescribed`, by node: a bit for
-    /// each component that is.
-    void locate(const Patch<S>& patch, const std::vector<unsigned char>& prescribed);
-    /// Measures gaps with the particles where they are, for a step of length dt (s). `nodes`, by body: its
-    /// layer of them.
+    /// Finds the nodes on the faces among those that exist and move by themselves (`inside`), in all layers.
+    /// `prescribed`, by node: a bit for each component that is.
+    void locate(std::span<Patch<S>* const> layers, const std::vector<char>& inside,
+                const std::vector<unsigned char>& prescribed);
+    /// Measures gaps with the particles where they are, for a step of length dt (s). `nodes`, by level, then
+    /// by body: its layer of them.
     void measure(std::span<Patch<S>* const> nodes, const std::vector<Particles<S>>& bodies,
                  Ordering<S>& ordering, double dt);
 
@@ -55,6 +56,7 @@ class UnilateralFaces {
   private:
     struct Node {
         int index;
+        double cell;                    ///< its edge along the normal, m
         double volume = 0, moment = 0;  ///< sum w V, and sum w V x / h
         double least = 0;               ///< distance of a particle's edge, in cells
         bool near = false;              ///< whether there is a gap to tell

@@ -308,14 +308,16 @@ void Engine<S>::update(typename Phases<S>::Update what, Real dt) {
                              what, dt, viscosity(b), tally_.largest_compression,
                              partials_[first + static_cast<std::size_t>(r)]);
             guarded(*components_.shape, "gather", [&] {
-                components_.shape->gather(*nodes_of_[b], bodies_[b], range.begin, range.end, request, sink);
+                components_.shape->gather(nodes(b, range.level), bodies_[b], range.begin, range.end, request,
+                                          sink);
             });
             if (!what.position) return;
             ordering_.bounds(b)[static_cast<std::size_t>(r)] = sink.bounds();
             // While they are in the cache; but a fault names a particle by its place.
             if (faults_.empty() && !partials_[first + static_cast<std::size_t>(r)].fault)
-                guarded(*components_.shape, "base_nodes",
-                        [&] { sort_if_mixed(patch_, bodies_[b], range, *components_.shape); });
+                guarded(*components_.shape, "base_nodes", [&] {
+                    sort_if_mixed(levels_.patch(range.level), bodies_[b], range, *components_.shape);
+                });
         });
     }
     collect(what);

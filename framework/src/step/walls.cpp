@@ -42,12 +42,30 @@ void Walls<S>::carry(std::size_t condition, const std::array<bool, 3>& prescribe
 }
 
 template <class S>
-void Walls<S>::locate(std::span<Patch<S>* const> layers) {
+std::optional<typename Walls<S>::Link> Walls<S>::link_of(const Patch<S>& patch, int ghost,
+                                                         const Face& face) const {
+    auto edge = patch.node_coordinates(ghost), inner = edge;
+    const auto axis = static_cast<std::size_t>(face.axis);
+    edge[axis] = face.side == 0 ? 0 : patch.cells()[axis];
+    Position position = patch.node_position(edge);
+    const int inwards = face.side == 0 ? 1 : -1;
+    // Nodes at the middles of cells have their images in the next cell.
+    const bool next = patch.centred() && face.wall;
+    inner[axis] = edge[axis] + (next ? 0 : inwards);
+    if (patch.centred()) position[face.axis] -= inwards * patch.cell_size()[face.axis] / 2;
+    const Link link{ghost, patch.node_index(edge), patch.node_index(inner), position};
+    if (link.edge < 0 || link.inner < 0) return {};
+    return link;
+}
+
+template <class S>
+void Walls<S>::locate(std::span<Patch<S>* const> layers, const std::vector<char>& followers) {
     const Patch<S>& all = *layers.front();
     using Coordinates = typename Patch<S>::Coordinates;
     prescribed_.clear();
     prescribed_components_.assign(static_cast<std::size_t>(all.node_count()), 0);
-    for (Face& face : faces_) face.links.clear();
+    const auto levels = static_cast<std::size_t>(layers.back()->level()) + 1;
+    for (Face& face : faces_) face.links.assign(levels, {});
 
     for (int index = 0; index < static_cast<int>(all.node_count()); ++index) {
         const Patch<S>& patch = *layers[all.layer_of(index)];
@@ -64,21 +82,18 @@ void Walls<S>::locate(std::span<Patch<S>* const> layers) {
                     concerned && (a == axis || (node[a] >= -margin && node[a] <= patch.cells()[a] + margin));
             }
             if (!concerned) continue;
-            Coordinates edge = node, inner = node;
-            edge[axis] = face.side == 0 ? 0 : last;
-            inner[axis] = face.side == 0 ? 1 : last - 1;
-            const Link link{index, patch.node_index(edge), patch.node_index(inner),
-                            patch.node_position(edge)};
-            if (link.edge >= 0 && link.inner >= 0) face.links.push_back(link);
+            if (const auto link = link_of(patch, index, face))
+                face.links[static_cast<std::size_t>(patch.level())].push_back(*link);
         }
-        if (!patch.inside(node)) continue;
+        if (!patch.inside(node) || (!followers.empty() && followers[static_cast<std::size_t>(index)] != 0))
+            continue;
 
         const Position position = patch.node_position(node);
         std::array<int, S::dimension> condition;
         condition.fill(-1);
         for (const Face& face : faces_) {
             const auto axis = static_cast<std::size_t>(face.axis);
-            if (node[axis] != (face.side == 0 ? 0 : patch.cells()[axis])) continue;
+            if (patch.centred() || node[axis] != (face.side == 0 ? 0 : patch.cells()[axis])) continue;
             for (std::size_t c = 0; c < S::dimension; ++c)
                 if (condition[c] < 0) condition[c] = face.condition[c];
         }
@@ -106,8 +121,7 @@ void Walls<S>::hold_node(const Patch<S>& patch, int node, std::size_t condition)
     unsigned char& held = prescribed_components_[static_cast<std::size_t>(node)];
     for (int c = 0; c < S::dimension; ++c) {
         if (!prescribes[static_cast<std::size_t>(c)] || (held >> c & 1) != 0) continue;
-        prescribed_.push_back(
-            {node, c, static_cast<int>(condition), patch.node_position(patch.node_coordinates(node))});
+        prescribed_.push_back({node, c, static_cast<int>(condition), patch.position_at(node)});
         held |= static_cast<unsigned char>(1 << c);
     }
 }
@@ -177,10 +191,10 @@ std::array<bool, 3> Walls<S>::prescribed(std::size_t condition, int axis) const 
 }
 
 template <class S>
-void Walls<S>::fold_mass(Patch<S>& patch) const {
+void Walls<S>::fold_mass(Patch<S>& patch, int level) const {
     Real* mass = patch.column(NodeField::mass);
     for (const Face& face : faces_)
-        for (const Link& link : face.links) {
+        for (const Link& link : face.links[static_cast<std::size_t>(level)]) {
             if (face.wall) {
                 mass[link.inner] += mass[link.ghost];
             } else {
@@ -191,8 +205,8 @@ void Walls<S>::fold_mass(Patch<S>& patch) const {
 }
 
 template <class S>
-void Walls<S>::fold_momentum(Patch<S>& patch, NodeField momentum, const PathMean& mean) const {
-    fold_force(patch, momentum);
+void Walls<S>::fold_momentum(Patch<S>& patch, NodeField momentum, const PathMean& mean, int level) const {
+    fold_force(patch, momentum, level);
     // The mirrored body moves with 2 V - v where the wall moves with V.
     const Real* mass = patch.column(NodeField::mass);
     for (const Face& face : faces_)
@@ -200,18 +214,18 @@ void Walls<S>::fold_momentum(Patch<S>& patch, NodeField momentum, const PathMean
             const int condition = face.condition[static_cast<std::size_t>(c)];
             if (condition < 0) continue;
             Real* p = patch.column(momentum, c);
-            for (const Link& link : face.links)
+            for (const Link& link : face.links[static_cast<std::size_t>(level)])
                 p[link.inner] += 2 * mass[link.ghost] * velocity(condition, link.position, mean)[c];
         }
 }
 
 template <class S>
-void Walls<S>::fold_force(Patch<S>& patch, NodeField force) const {
+void Walls<S>::fold_force(Patch<S>& patch, NodeField force, int level) const {
     for (const Face& face : faces_)
         for (int c = 0; c < S::dimension; ++c) {
             Real* f = patch.column(force, c);
             const Real sign = face.condition[static_cast<std::size_t>(c)] >= 0 ? Real(-1) : Real(1);
-            for (const Link& link : face.links) {
+            for (const Link& link : face.links[static_cast<std::size_t>(level)]) {
                 if (face.wall) {
                     f[link.inner] += sign * f[link.ghost];
                 } else {
@@ -239,12 +253,12 @@ void Walls<S>::constrain_acceleration(Patch<S>& patch, const PathMean& from, con
 
 template <class S>
 template <class Value>
-void Walls<S>::fill(Patch<S>& patch, NodeField field, const Value& prescribed) const {
+void Walls<S>::fill(Patch<S>& patch, NodeField field, const Value& prescribed, int level) const {
     for (auto face = faces_.rbegin(); face != faces_.rend(); ++face)
         for (int c = 0; c < S::dimension; ++c) {
             Real* v = patch.column(field, c);
             const int condition = face->condition[static_cast<std::size_t>(c)];
-            for (const Link& link : face->links) {
+            for (const Link& link : face->links[static_cast<std::size_t>(level)]) {
                 if (!face->wall) {
                     v[link.ghost] = 2 * v[link.edge] - v[link.inner];
                 } else if (condition < 0) {
@@ -257,32 +271,50 @@ void Walls<S>::fill(Patch<S>& patch, NodeField field, const Value& prescribed) c
 }
 
 template <class S>
-void Walls<S>::fill_velocity(Patch<S>& patch, NodeField field, const PathMean& mean) const {
-    fill(patch, field,
-         [&](int condition, int c, const Position& x) { return velocity(condition, x, mean)[c]; });
+void Walls<S>::fill_velocity(Patch<S>& patch, NodeField field, const PathMean& mean, int level) const {
+    fill(
+        patch, field,
+        [&](int condition, int c, const Position& x) { return velocity(condition, x, mean)[c]; }, level);
 }
 
 template <class S>
-void Walls<S>::fill_acceleration(Patch<S>& patch, const PathMean& from, const PathMean& to, double dt) const {
-    fill(patch, NodeField::acceleration, [&](int condition, int c, const Position& x) {
-        return (velocity(condition, x, to)[c] - velocity(condition, x, from)[c]) / static_cast<Real>(dt);
-    });
+void Walls<S>::fill_acceleration(Patch<S>& patch, const PathMean& from, const PathMean& to, double dt,
+                                 int level) const {
+    fill(
+        patch, NodeField::acceleration,
+        [&](int condition, int c, const Position& x) {
+            return (velocity(condition, x, to)[c] - velocity(condition, x, from)[c]) / static_cast<Real>(dt);
+        },
+        level);
+}
+
+template <class S>
+void Walls<S>::keep_ghosts(const Patch<S>& patch, NodeField field) {
+    kept_ghosts_.clear();
+    for (const Face& face : faces_)
+        for (int c = 0; c < S::dimension; ++c) {
+            if (face.condition[static_cast<std::size_t>(c)] < 0) continue;
+            const Real* const v = patch.column(field, c);
+            face.for_links([&](const Link& link) { kept_ghosts_.push_back(v[link.ghost]); });
+        }
 }
 
 template <class S>
 void Walls<S>::add_change_of_ghosts(Patch<S>& patch, NodeField field, const PathMean& mean,
                                     Real share) const {
     const Real* const mass = patch.column(NodeField::mass);
+    auto before = kept_ghosts_.begin();
     for (const Face& face : faces_)
         for (int c = 0; c < S::dimension; ++c) {
             const int condition = face.condition[static_cast<std::size_t>(c)];
             if (condition < 0) continue;
             const Real* const v = patch.column(field, c);
             Real* const force = patch.column(NodeField::force, c);
-            for (const Link& link : face.links)
+            face.for_links([&](const Link& link) {
                 force[link.ghost] +=
                     share * mass[link.ghost] *
-                    (v[link.ghost] + v[link.inner] - 2 * velocity(condition, link.position, mean)[c]);
+                    (*before++ + v[link.inner] - 2 * velocity(condition, link.position, mean)[c]);
+            });
         }
 }
 
@@ -354,13 +386,14 @@ void Walls<S>::reaction(const Patch<S>& patch, NodeField source, NodeField value
             if (condition < 0) continue;
             const Real* s = patch.column(source, c);
             const Real* v = patch.column(value, c);
-            for (const Link& link : face.links)
+            face.for_links([&](const Link& link) {
                 add(condition, c,
                     static_cast<double>(mass[link.ghost] *
                                             (v[link.ghost] - v[link.inner] +
                                              moving * velocity(condition, link.position, mean)[c]) -
                                         2 * s[link.ghost]),
                     link.position);
+            });
         }
 }
 

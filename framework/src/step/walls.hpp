@@ -81,25 +81,28 @@ class Walls {
 
     explicit Walls(std::vector<PlacedCondition<S>> conditions);
 
-    /// Finds the nodes concerned among those that exist, in each of the layers.
-    void locate(std::span<Patch<S>* const> layers);
+    /// Finds the nodes concerned among those that exist, in each of the layers. `followers`, by node: whether
+    /// it follows from others of a coarser level, so that none is prescribed; empty: none does.
+    void locate(std::span<Patch<S>* const> layers, const std::vector<char>& followers);
     /// Holds a node, with what a condition prescribes away from faces, beside what holds there already; until
     /// all nodes held so are let go.
     void hold_node(const Patch<S>& patch, int node, std::size_t condition);
     void let_go();
 
-    void fold_mass(Patch<S>& patch) const;
+    /// Of the ghosts of a level.
+    void fold_mass(Patch<S>& patch, int level) const;
     /// Folds momentum, which holds mass times velocity at `mean`. Call after fold_mass.
-    void fold_momentum(Patch<S>& patch, NodeField momentum, const PathMean& mean) const;
-    void fold_force(Patch<S>& patch, NodeField force) const;
+    void fold_momentum(Patch<S>& patch, NodeField momentum, const PathMean& mean, int level) const;
+    void fold_force(Patch<S>& patch, NodeField force, int level) const;
 
     /// Sets prescribed components of a velocity field to their values at `mean`.
     void constrain(Patch<S>& patch, NodeField velocity, const PathMean& mean) const;
     /// Sets prescribed components of the acceleration to what changes their velocity from its value
     /// at `from` to that at `to` within dt.
     void constrain_acceleration(Patch<S>& patch, const PathMean& from, const PathMean& to, double dt) const;
-    void fill_velocity(Patch<S>& patch, NodeField velocity, const PathMean& mean) const;
-    void fill_acceleration(Patch<S>& patch, const PathMean& from, const PathMean& to, double dt) const;
+    void fill_velocity(Patch<S>& patch, NodeField velocity, const PathMean& mean, int level) const;
+    void fill_acceleration(Patch<S>& patch, const PathMean& from, const PathMean& to, double dt,
+                           int level) const;
 
     /// Adds to sums[k] what condition k puts into prescribed components: at a node and its ghosts
     /// `share` of (mass value - source), source being force or momentum, value acceleration or
@@ -112,8 +115,10 @@ class Walls {
     void reaction(const Patch<S>& patch, NodeField source, NodeField value, const PathMean& mean,
                   std::vector<Sum>& sums) const;
 
-    /// After velocities have changed within, with ghosts still as they were: adds `share` times what those of
-    /// prescribed components change by, as the images of nodes within, to the force that reaction() reads.
+    /// Before velocities change within.
+    void keep_ghosts(const Patch<S>& patch, NodeField velocity);
+    /// After that: adds `share` times what those of prescribed components change by, as the images of nodes
+    /// within, to the force that reaction() reads.
     void add_change_of_ghosts(Patch<S>& patch, NodeField velocity, const PathMean& mean, Real share) const;
 
     /// The face that a particle at `x` is beyond, if there is one. It is closed where its condition
@@ -131,16 +136,20 @@ class Walls {
 
   private:
     struct Link {
-        int ghost, edge, inner;  ///< places of nodes -1, 0 and 1 counted inwards
-        Position position;       ///< of the edge node
+        int ghost, edge, inner;  ///< places of nodes -1, 0 and, its image beyond a wall, 1; counted inwards
+        Position position;       ///< of the face before the ghost
     };
     struct Face {
         int axis;
         int side;                                 ///< 0: lower, 1: upper
         std::array<int, S::dimension> condition;  ///< index into conditions_ by component; -1: free
         bool wall = false;
-        bool unilateral = false;  ///< open, but closed to particles
-        std::vector<Link> links;
+        bool unilateral = false;               ///< open, but closed to particles
+        std::vector<std::vector<Link>> links;  ///< by level
+        template <class Visit>
+        void for_links(const Visit& visit) const {
+            for (const auto& own : links) std::ranges::for_each(own, visit);
+        }
         /// Where particles stop, along the axis.
         double place(const Patch<S>& patch) const {
             const Bounds<S> room = domain(patch);
@@ -158,7 +167,8 @@ class Walls {
 
     std::optional<Exit> exit(const Face& face, const Patch<S>& patch, const Position& x, double time) const;
     template <class Value>
-    void fill(Patch<S>& patch, NodeField field, const Value& prescribed) const;
+    void fill(Patch<S>& patch, NodeField field, const Value& prescribed, int level) const;
+    std::optional<Link> link_of(const Patch<S>& patch, int ghost, const Face& face) const;
     Vector velocity(int condition, const Position& position, const PathMean& mean) const;
     Vector along_path(int condition, const Position& position, const PathMean& mean) const;
     std::array<bool, 3> prescribed(std::size_t condition, int axis) const;
@@ -170,6 +180,7 @@ class Walls {
     std::vector<Prescribed> prescribed_;
     std::size_t located_ = 0;  ///< how many of them stay where they are on the grid
     std::vector<unsigned char> prescribed_components_;
+    std::vector<Real> kept_ghosts_;  ///< of prescribed components, face by face
 };
 
 }  // namespace matpoint

@@ -170,7 +170,7 @@ class RigidTool final : public Tool<S> {
 
     /// Bodies can't give way to what is faster than their waves, which go less than a cell in a step.
     void refuse_leap(const ToolContext<S>& context) {
-        const double cell = context.nodes[0]->cell_size().minCoeff();
+        const double cell = context.nodes.back()->cell_size().minCoeff();
         for (const auto& point : touching_.impulses().points) {
             const double cells =
                 motion_.velocity_at(Impulses<D>::full(point.place)).norm() * context.dt / cell;
@@ -256,12 +256,11 @@ class RigidTool final : public Tool<S> {
     }
 
     void account(const ToolContext<S>& context) {
-        const double cell = context.nodes[0]->cell_size().minCoeff();
         Eigen::Vector3d force = Eigen::Vector3d::Zero(), torque = force;
         const Impulses<D>& impulses = touching_.impulses();
         for (std::size_t k = 0; k < impulses.points.size(); ++k) {
             const auto& point = impulses.points[k];
-            const double gap = touching_.origins()[k].gap;
+            const double gap = touching_.origins()[k].gap, cell = touching_.origins()[k].cell;
             report_.penetration = std::max(report_.penetration, -gap / cell);
             if (point.impulse.isZero(0)) continue;
             if (report_.touched == 0) report_.first_gap = gap / cell;

@@ -31,6 +31,7 @@ class Touching {
         std::size_t body;
         Index particle;  ///< -1: a node
         double gap;      ///< m, at the start of the step
+        double cell;     ///< m, the smallest edge of those around
     };
 
     Touching(std::shared_ptr<const Geometry> geometry) : geometry_(std::move(geometry)) {}
@@ -72,50 +73,40 @@ class Touching {
                        const Guess& guess, const Allowed& allowed) {
         constexpr double pushed_out = 0.1;
         const Particles<S>& particles = context.bodies[body];
-        const Patch<S>& patch = *context.nodes[body];
-        const double near = 0.1 * patch.cell_size().minCoeff();
+        const Patch<S>& coarsest = *context.nodes[body];
+        const double near = 0.1 * coarsest.cell_size().minCoeff();
         const bool sized = particles.has(Field::half_size);
-        for_gaps(patch, particles, tool, [&](Index p, const Vector& x, const Surface& found, double apart) {
-            const auto& [distance, normal] = found;
-            const double gap = apart + allowed(p, apart);
-            const Vector relative = particles.velocity(p).template cast<double>() - velocity_of(tool, x);
-            if (gap > std::max(near, 2 * relative.norm() * context.dt)) return;
-            const auto half =
-                sized ? particles.vector(Field::half_size, p) : typename S::Vector(S::Vector::Zero());
-            const auto stencil = context.shape.stencil(patch, x, half);
-            const std::size_t first = impulses_.parts.size();
-            for (std::size_t k = 0; k < stencil.nodes.size(); ++k)
-                if (stencil.weights[k] > 0)
-                    add_part(context, body, stencil.nodes[k],
-                             static_cast<double>(stencil.weights[k]) * Vector::Ones());
-            impulses_.points.push_back({.begin = first,
-                                        .end = impulses_.parts.size(),
-                                        .place = x - distance * normal,
-                                        .normal = normal,
-                                        .target = -(gap > 0 ? gap : pushed_out * gap) / context.dt,
-                                        .impulse = guess(p)});
-            origins_.push_back({body, p, gap});
-        });
+        for_gaps(
+            coarsest, particles, tool, [&](Index p, const Vector& x, const Surface& found, double apart) {
+                const auto& [distance, normal] = found;
+                const double gap = apart + allowed(p, apart);
+                const Vector relative = particles.velocity(p).template cast<double>() - velocity_of(tool, x);
+                const Patch<S>& patch = context.nodes_at(body, x);
+                if (gap > std::max(std::ldexp(near, -patch.level()), 2 * relative.norm() * context.dt))
+                    return;
+                const auto half =
+                    sized ? particles.vector(Field::half_size, p) : typename S::Vector(S::Vector::Zero());
+                const auto stencil = context.shape.stencil(patch, x, half);
+                const std::size_t first = impulses_.parts.size();
+                for (std::size_t k = 0; k < stencil.nodes.size(); ++k)
+                    if (stencil.weights[k] > 0)
+                        add_part(context, body, patch, stencil.nodes[k],
+                                 static_cast<double>(stencil.weights[k]) * Vector::Ones());
+                impulses_.points.push_back({.begin = first,
+                                            .end = impulses_.parts.size(),
+                                            .place = x - distance * normal,
+                                            .normal = normal,
+                                            .target = -(gap > 0 ? gap : pushed_out * gap) / context.dt,
+                                            .impulse = guess(p)});
+                origins_.push_back({body, p, gap, patch.cell_size().minCoeff()});
+            });
     }
 
     /// A body's nodes that the tool reaches as well, with gaps by the moments of what is around them.
     void add_nodes(const ToolContext<S>& context, std::size_t body, const Motion& tool) {
-        const Patch<S>& patch = *context.nodes[body];
-        const Particles<S>& particles = context.bodies[body];
-        if (!spline_) spline_.emplace(spline_degree(patch, context.shape));
-        for (const Surroundings& node : surroundings_)
-            surroundings_of_[static_cast<std::size_t>(node.place)] = -1;
-        surroundings_.clear();
-        surroundings_of_.resize(static_cast<std::size_t>(patch.node_count()), -1);
-        const double reach = (2 * spline_->reach() + 1) * patch.cell_size().norm();
-        for_near(patch, particles, tool, reach, [&](Index p) {
-            const DomainBox<S> own(patch, particles, p);
-            visit_images(
-                patch, own, 2 * spline_->reach(),
-                [&](int axis, int side) { return mirrors(context, patch, own, axis, side); },
-                [&](const DomainBox<S>& box) { measure(context, patch, box, tool); });
-        });
-        for (const Surroundings& node : surroundings_) add_node(context, body, node, tool);
+        if (!spline_) spline_.emplace(spline_degree(*context.nodes[body], context.shape));
+        for (int level = 0; level < context.levels(); ++level)
+            add_nodes(context, body, context.nodes_of(body, level), tool);
     }
 
     /// Half of what a particle's deformed domain measures along a direction, m: of a box with the same second
@@ -143,6 +134,25 @@ class Touching {
         Vector moment = Vector::Zero();  ///< M / O is the centroid, m
     };
     static constexpr Index chunk = 64;
+
+    /// Those of a level, around which particles of all levels are.
+    void add_nodes(const ToolContext<S>& context, std::size_t body, const Patch<S>& patch,
+                   const Motion& tool) {
+        const Particles<S>& particles = context.bodies[body];
+        for (const Surroundings& node : surroundings_)
+            surroundings_of_[static_cast<std::size_t>(node.place)] = -1;
+        surroundings_.clear();
+        surroundings_of_.resize(static_cast<std::size_t>(patch.node_count()), -1);
+        const double reach = (2 * spline_->reach() + 1) * patch.cell_size().norm();
+        for_near(patch, particles, tool, reach, [&](Index p) {
+            const DomainBox<S> own(patch, particles, p);
+            visit_images(
+                patch, own, 2 * spline_->reach(),
+                [&](int axis, int side) { return mirrors(context, patch, own, axis, side); },
+                [&](const DomainBox<S>& box) { measure(context, patch, box, tool); });
+        });
+        for (const Surroundings& node : surroundings_) add_node(context, body, patch, node, tool);
+    }
 
     struct Surface {
         double distance;
@@ -187,27 +197,25 @@ class Touching {
 
     /// A node's part in the last point. Ghosts beyond a face of the grid stand for nodes within, as the walls
     /// fill them: odd about what is prescribed, 2 v_0 - v_1, and even otherwise, v_1; an open face
-    /// extrapolates.
-    void add_part(const ToolContext<S>& context, std::size_t body, const Coordinates& node,
-                  const Vector& weight) {
-        const Patch<S>& patch = *context.nodes[body];
+    /// extrapolates. Nodes that follow from others stand for these.
+    void add_part(const ToolContext<S>& context, std::size_t body, const Patch<S>& patch,
+                  const Coordinates& node, const Vector& weight) {
         for (std::size_t a = 0; a < D; ++a) {
             const int last = patch.cells()[a];
             if (node[a] >= 0 && node[a] <= last) continue;
-            Coordinates edge = node, inner = node;
-            edge[a] = node[a] < 0 ? 0 : last;
-            inner[a] = node[a] < 0 ? 1 : last - 1;
-            const int place = patch.node_index(edge);
-            const bool wall = place >= 0 && context.prescribed[static_cast<std::size_t>(place)] != 0;
-            Vector of_edge = 2 * weight, of_inner = -weight;
-            for (int c = 0; c < D; ++c)
-                if (wall && !is_prescribed(context, place, c)) of_edge[c] = 0, of_inner[c] = weight[c];
-            add_part(context, body, edge, of_edge);
-            add_part(context, body, inner, of_inner);
+            add_ghost(context, body, patch, node, a, weight);
             return;
         }
         const int place = patch.node_index(node);
         if (place < 0 || weight.isZero(0)) return;
+        if (context.parents)
+            if (const auto parents = (*context.parents)(place); !parents.empty()) {
+                const Patch<S>& coarser = context.nodes_of(body, patch.level() - 1);
+                for (const auto& parent : parents)
+                    add_part(context, body, coarser, coarser.node_coordinates(parent.node),
+                             static_cast<double>(parent.weight) * weight);
+                return;
+            }
         int& number = number_of_[static_cast<std::size_t>(place)];
         if (number < 0) {
             number = static_cast<int>(impulses_.nodes.size());
@@ -219,6 +227,22 @@ class Touching {
                 {body, place, context.velocity(body, place).template cast<double>(), ease});
         }
         impulses_.parts.push_back({number, weight});
+    }
+
+    /// One beyond the grid along an axis. Where nodes are at the middles of cells, none is at the face.
+    void add_ghost(const ToolContext<S>& context, std::size_t body, const Patch<S>& patch,
+                   const Coordinates& node, std::size_t axis, const Vector& weight) {
+        const int last = patch.cells()[axis];
+        Coordinates edge = node, inner = node;
+        edge[axis] = node[axis] < 0 ? 0 : last;
+        inner[axis] = node[axis] < 0 ? 1 : last - 1;
+        const int place = patch.node_index(edge);
+        const bool wall = place >= 0 && context.prescribed[static_cast<std::size_t>(place)] != 0;
+        Vector of_edge = 2 * weight, of_inner = -weight;
+        for (int c = 0; c < D; ++c)
+            if (wall && !is_prescribed(context, place, c)) of_edge[c] = 0, of_inner[c] = weight[c];
+        add_part(context, body, patch, edge, of_edge);
+        add_part(context, body, patch, inner, of_inner);
     }
 
     /// Whether a face of the grid does beside a domain: it prescribes what goes through it there.
@@ -288,16 +312,15 @@ class Touching {
         }
     }
 
-    void add_node(const ToolContext<S>& context, std::size_t body, const Surroundings& around,
-                  const Motion& tool) {
+    void add_node(const ToolContext<S>& context, std::size_t body, const Patch<S>& patch,
+                  const Surroundings& around, const Motion& tool) {
         constexpr double least = 1e-5;   // cells of a body around a node; less is rounding
         constexpr double beside = 1e-6;  // cells
         constexpr double same = 0.999;   // cosine of the angle between normals
-        const Patch<S>& patch = *context.nodes[body];
         if (!(around.size > least) || around.distance >= spline_->reach() * cell_along(patch, around.normal))
             return;
         if (!(patch.column(NodeField::mass)[around.place] > 0)) return;
-        add_node(context, body, around, around.normal, tool);
+        add_node(context, body, patch, around, around.normal, tool);
         // Where sides of the tool are as near as each other, on the axis of a wedge, each of them is met.
         std::array<Vector, 2 * D + 1> known{around.normal};
         std::size_t count = 1;
@@ -308,7 +331,7 @@ class Touching {
                 const auto is_same = [&](const Vector& other) { return other.dot(normal) > same; };
                 if (std::any_of(known.begin(), known.begin() + count, is_same)) continue;
                 known[count++] = normal;
-                add_node(context, body, around, normal, tool);
+                add_node(context, body, patch, around, normal, tool);
             }
     }
 
@@ -318,9 +341,8 @@ class Touching {
     }
 
     /// Against the side of the tool that has this normal.
-    void add_node(const ToolContext<S>& context, std::size_t body, const Surroundings& around,
-                  const Vector& normal, const Motion& tool) {
-        const Patch<S>& patch = *context.nodes[body];
+    void add_node(const ToolContext<S>& context, std::size_t body, const Patch<S>& patch,
+                  const Surroundings& around, const Vector& normal, const Motion& tool) {
         const double cell = cell_along(patch, normal);
         const double gap =
             around.distance - cell * spline_->surface(-normal.dot(around.moment) / (around.size * cell));
@@ -330,13 +352,13 @@ class Touching {
         const double target = -std::max(gap, 0.0) / context.dt;
         if (!tool.is_free() && w.dot(normal) >= target) return;
         const std::size_t first = impulses_.parts.size();
-        add_part(context, body, patch.node_coordinates(around.place), Vector::Ones());
+        add_part(context, body, patch, patch.node_coordinates(around.place), Vector::Ones());
         impulses_.points.push_back({.begin = first,
                                     .end = impulses_.parts.size(),
                                     .place = place,
                                     .normal = normal,
                                     .target = target});
-        origins_.push_back({body, -1, gap});
+        origins_.push_back({body, -1, gap, patch.cell_size().minCoeff()});
     }
 
     std::shared_ptr<const Geometry> geometry_;

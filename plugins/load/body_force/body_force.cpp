@@ -71,8 +71,7 @@ class BodyForce final : public Load<S> {
         const Real* mass = patch.column(NodeField::mass);
         for (Index i = 0; i < patch.node_count(); ++i) {
             if (mass[i] == 0) continue;
-            const Vector b =
-                acceleration(patch.node_position(patch.node_coordinates(static_cast<int>(i))), context.time);
+            const Vector b = acceleration(patch.position_at(static_cast<int>(i)), context.time);
             for (int a = 0; a < S::dimension; ++a)
                 patch.column(NodeField::external_force, a)[i] += mass[i] * b[a];
         }
@@ -88,7 +87,7 @@ class BodyForce final : public Load<S> {
                                                                    : Vector(Vector::Zero()),
                                    Vector(particles.column(Field::mass)[p] *
                                           acceleration(particles.position(p, where_), context.time))});
-            context.shape.spread(context.nodes_of(particles), sources, NodeField::external_force);
+            context.spread(particles, sources, NodeField::external_force);
         }
     }
 

@@ -102,7 +102,7 @@ class Manufactured final : public Load<S> {
                 source.value = mass[p] * b.head<S::dimension>().template cast<Real>();
             }
         });
-        context.shape.spread(context.nodes_of(particles), sources_, NodeField::external_force);
+        context.spread(particles, sources_, NodeField::external_force);
     }
 
     /// P N per initial area, at the surface.

@@ -80,7 +80,7 @@ class PointLoad final : public Load<S> {
                      particles.vector(
                          particles.has(Field::half_size) ? Field::half_size : Field::initial_half_size, p),
                      Vector((static_cast<double>(weight[p]) * factor * force_).template cast<Real>())});
-        context.shape.spread(context.nodes_of(particles), sources, NodeField::external_force);
+        context.spread(particles, sources, NodeField::external_force);
     }
 
     double settled_at() const override { return history_.settled_at(); }

@@ -74,7 +74,7 @@ class Traction final : public Load<S> {
             else
                 sources.push_back({particles.position(p), present_half_size(particles, p), force});
         }
-        context.shape.spread(context.nodes_of(particles), sources, NodeField::external_force);
+        context.spread(particles, sources, NodeField::external_force);
     }
 
     double settled_at() const override { return history_.settled_at(); }

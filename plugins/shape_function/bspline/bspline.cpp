@@ -11,6 +11,7 @@ namespace {
 struct QuadraticSpline {
     static constexpr int width = 3;
     static constexpr bool sized = false;
+    static constexpr double refinement[] = {0.25, 0.75, 0.75, 0.25};
 
     template <class T>
     static T base(T xi) {
@@ -35,6 +36,7 @@ struct QuadraticSpline {
 struct CubicSpline {
     static constexpr int width = 4;
     static constexpr bool sized = false;
+    static constexpr double refinement[] = {0.125, 0.5, 0.75, 0.5, 0.125};
 
     template <class T>
     static T base(T xi) {

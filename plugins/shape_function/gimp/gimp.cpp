@@ -19,6 +19,7 @@ template <int Width>
 struct AveragedTent {
     static constexpr int width = Width;
     static constexpr bool sized = true;
+    static constexpr double refinement[] = {0.5, 1, 0.5};              // the tent's, averaged on both sides
     static constexpr double largest_half_size = Width == 3 ? 0.5 : 1;  // in cells
     /// Smaller domains count as this large, so that the average exists for points too.
     static constexpr double smallest_half_size = 1e-3;

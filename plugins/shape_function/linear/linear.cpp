@@ -10,6 +10,7 @@ namespace {
 struct Tent {
     static constexpr int width = 2;
     static constexpr bool sized = false;
+    static constexpr double refinement[] = {0.5, 1, 0.5};
 
     template <class T>
     static T base(T xi) {
