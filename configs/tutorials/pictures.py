@@ -155,6 +155,20 @@ def contact(matpoint, folder):
     save(figure, "06_contact")
 
 
+def levels(matpoint, folder):
+    run = Run(matpoint, HERE / "07_levels.json", folder)
+    points, fields = run.particles(1)
+    x, y, level = points[:, 0] * 1e3, points[:, 1] * 1e3, fields["level"]
+    figure, axes = plt.subplots(1, 2, figsize=(10, 4.4), layout="constrained")
+    for axis, end, spot in ((axes[0], 50, 3.6), (axes[1], 22, 8.2)):
+        drawn = axis.scatter(x, y, c=fields["stress"][:, 0] / 1e6, s=spot**2 / 4**level, cmap=COLOURS, vmin=-20, vmax=320, linewidths=0, marker="s")
+        axis.set(xlim=(0, end), ylim=(0, end), aspect="equal", xlabel="mm")
+    axes[0].set_ylabel("mm")
+    figure.colorbar(drawn, ax=axes, label="stress xx, MPa", pad=0.01)
+    figure.suptitle("A plate with a hole, drawn to the right with 100 MPa; cells of 2.5, 1.25 and 0.625 mm")
+    save(figure, "07_levels")
+
+
 def wedge(matpoint, folder):
     run = Run(matpoint, WEDGE, folder, "--set", "/grid/cell_size=250e-9", "--set",
               '/outputs=[{"type":"vtk","every":"100 ns","fields":["stress"]}]')
@@ -236,7 +250,7 @@ def knot(matpoint, folder):
 
 
 DRAWN = {"01_pulled_bar": pulled_bar, "02_bouncing_disk": bouncing_disk, "03_metal_impact": metal_impact, "04_press": press,
-         "05_own_particles": own_particles, "06_contact": contact, "knot": knot, "wedge": wedge}
+         "05_own_particles": own_particles, "06_contact": contact, "07_levels": levels, "knot": knot, "wedge": wedge}
 
 
 def main(matpoint, *names):
