@@ -89,8 +89,8 @@ struct ToolContext {
         Vector impulse;  ///< N s
     };
     std::vector<Push>& pushes;  ///< so far, by all tools
-    /// The level of the grid at a place; null: there is one.
-    const std::function<int(const typename S::Position&)>* level_at = nullptr;
+    /// The level of the grid on which a body has nodes at a place; null: there is one.
+    const std::function<int(std::size_t body, const typename S::Position&)>* level_at = nullptr;
     /// What a node follows from, by its place; empty if it moves by itself.
     const std::function<std::span<const NodePart<Real>>(int)>* parents = nullptr;
 
@@ -99,7 +99,7 @@ struct ToolContext {
         return *nodes[static_cast<std::size_t>(level) * bodies.size() + body];
     }
     Patch<S>& nodes_at(std::size_t body, const typename S::Position& x) const {
-        return nodes_of(body, level_at ? (*level_at)(x) : 0);
+        return nodes_of(body, level_at ? (*level_at)(body, x) : 0);
     }
 
     /// Velocity of a body's node at the end of the step, as far as is known, m/s.

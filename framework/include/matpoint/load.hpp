@@ -17,28 +17,34 @@ struct LoadContext {
     const ExactSolution* exact_solution = nullptr;  ///< the scene's, or null
     /// By level, then by body: its layer of the nodes; empty: all share the patch.
     std::span<Patch<S>* const> layers = {};
-    /// The level of the grid at a place; null: there is one.
-    const std::function<int(const typename S::Position&)>* level_at = nullptr;
+    /// The level of the grid on which a body has nodes at a place; null: there is one.
+    const std::function<int(std::size_t body, const typename S::Position&)>* level_at = nullptr;
 
     /// The nodes as a body's particle sees them at a place.
     Patch<S>& nodes_at(const Particles<S>& body, const typename S::Position& x) const {
-        return nodes_of(body, level_at ? (*level_at)(x) : 0);
+        return nodes_of(body, level_of(body, x));
     }
     /// Adds the values of a body's sources, weighted by S, to a vector field of the nodes.
     void spread(const Particles<S>& body, std::span<const PointSource<S>> sources, NodeField field) const {
         while (!sources.empty()) {
-            const int level = level_at ? (*level_at)(sources.front().position) : 0;
+            const int level = level_of(body, sources.front().position);
             std::size_t count = level_at ? 1 : sources.size();
-            while (count < sources.size() && (*level_at)(sources[count].position) == level) ++count;
+            while (count < sources.size() && level_of(body, sources[count].position) == level) ++count;
             shape.spread(nodes_of(body, level), sources.first(count), field);
             sources = sources.subspan(count);
         }
     }
 
   private:
+    std::size_t number_of(const Particles<S>& body) const {
+        return static_cast<std::size_t>(&body - bodies.data());
+    }
+    int level_of(const Particles<S>& body, const typename S::Position& x) const {
+        return level_at ? (*level_at)(number_of(body), x) : 0;
+    }
     Patch<S>& nodes_of(const Particles<S>& body, int level) const {
-        const auto place = static_cast<std::size_t>(&body - bodies.data());
-        return layers.empty() ? patch : *layers[static_cast<std::size_t>(level) * bodies.size() + place];
+        if (layers.empty()) return patch;
+        return *layers[static_cast<std::size_t>(level) * bodies.size() + number_of(body)];
     }
 };
 

@@ -235,6 +235,8 @@ class Engine final : public Phases<S> {
     /// Brings all particles to a halt.
     void stop();
     void make_layers();
+    /// That a body has nodes on at a place: beside a border a particle may still be of either level.
+    int level_at(std::size_t body, const typename S::Position& x) const;
     /// Brings levels that follow a body or tool to where that is.
     void move_levels();
     Eigen::Vector3d place_of(const Follow& follow) const;
@@ -303,9 +305,8 @@ class Engine final : public Phases<S> {
     bool off_grid_ = true;  ///< whether a particle may have left the grid
     double largest_mass_ = 0;
     std::vector<char> inside_;  ///< by node: on or within the grid's faces, and moves by itself
-    const std::function<int(const typename S::Position&)> level_at_ = [this](const typename S::Position& x) {
-        return levels_.at(x);
-    };
+    const std::function<int(std::size_t, const typename S::Position&)> level_at_ =
+        [this](std::size_t body, const typename S::Position& x) { return level_at(body, x); };
     const std::function<std::span<const NodePart<Real>>(int)> parents_of_ = [this](int node) {
         return borders_.parents(node);
     };

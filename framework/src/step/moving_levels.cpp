@@ -1,9 +1,42 @@
-// Levels of the grid that go with a body or a tool.
+// Levels of the grid: which one particles are on, and those that go with a body or a tool.
 #include "step/phase_timer.hpp"
 
 #include <matpoint/parallel.hpp>
 
+#include <algorithm>
+#include <stdexcept>
+
 namespace matpoint {
+
+namespace {
+
+/// Whether a particle's stencil, and a node on every side of it, exist.
+template <class S>
+bool has_nodes(const Patch<S>& patch, const typename Patch<S>::Coordinates& base, int width) {
+    for (int corner = 0; corner < 1 << S::dimension; ++corner) {
+        typename Patch<S>::Coordinates node;
+        for (std::size_t a = 0; a < S::dimension; ++a)
+            node[a] = std::clamp(base[a] + ((corner >> a & 1) != 0 ? width : -1), -1, patch.cells()[a] + 1);
+        if (patch.node_index(node) < 0) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+template <class S>
+int Engine<S>::level_at(std::size_t body, const typename S::Position& x) const {
+    const ShapeFunction<S>& shape = *components_.shape;
+    const int level = levels_.at(x);
+    for (const int own : {level, level + 1, level - 1}) {
+        if (own < 0 || own >= levels_.count()) continue;
+        const Patch<S>& patch = nodes(body, own);
+        const auto base =
+            guarded(shape, "base_node", [&] { return shape.base_node(patch, bodies_[body], x); });
+        if (has_nodes(patch, base, shape.width())) return own;
+    }
+    throw std::logic_error("a body has no nodes at one of its particles");
+}
 
 /// The centre of mass, or where the tool is, m.
 template <class S>
@@ -53,9 +86,10 @@ void Engine<S>::restore_levels(std::vector<Eigen::Vector3d> starts, std::vector<
     if (!level_shifts_.empty()) levels_.move(level_shifts_);
 }
 
-#define MATPOINT_INSTANTIATE(S)                                        \
-    template Eigen::Vector3d Engine<S>::place_of(const Follow&) const; \
-    template void Engine<S>::move_levels();                            \
+#define MATPOINT_INSTANTIATE(S)                                                       \
+    template Eigen::Vector3d Engine<S>::place_of(const Follow&) const;                \
+    template int Engine<S>::level_at(std::size_t, const typename S::Position&) const; \
+    template void Engine<S>::move_levels();                                           \
     template void Engine<S>::restore_levels(std::vector<Eigen::Vector3d>, std::vector<Eigen::Vector3d>);
 MATPOINT_FOR_EACH_SPACE(MATPOINT_INSTANTIATE)
 
