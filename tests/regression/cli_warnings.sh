@@ -39,3 +39,5 @@ says "$(<levels/summary.json)" '"cells_over_uniform"'
 expect 0 validate block.json --set "$levels" --set '/transfer/type=affine_flip'
 [[ $err != *affine_flip* ]] || fail "a warning although slopes are kept: $err"
 says "$out" "level 1: 32 cells"
+expect 0 validate block.json --set "$levels" --set '/bodies/block/artificial_viscosity={"linear":0.2,"quadratic":2}'
+says "$err" "takes the size of the coarsest cells"

@@ -36,6 +36,11 @@ bool has_quadratic_splines(const Json& scene) {
     return scene.at("shape_function").value("order", 0) == 2;
 }
 
+bool has_artificial_viscosity(const Json& scene) {
+    return std::ranges::any_of(scene.at("bodies"),
+                               [](const Json& body) { return body.contains("artificial_viscosity"); });
+}
+
 /// Nested levels, each with cells of half the size in a region.
 template <class S>
 class Multilevel final : public Grid<S> {
@@ -62,6 +67,11 @@ class Multilevel final : public Grid<S> {
                 "and more, with this transfer: take \"affine_flip\", \"apic\", or \"flip\" with "
                 "\"gradient_enhanced\"",
                 [](const Json&, const Json& scene) { return loses_slopes(scene); })
+            .warn(
+                "/levels",
+                "artificial viscosity takes the size of the coarsest cells on all levels: shocks are as wide "
+                "as there",
+                [](const Json&, const Json& scene) { return has_artificial_viscosity(scene); })
             .refuse(
                 "/levels",
                 "quadratic splines have no nodes on the faces of finer levels, which \"unilateral\" needs: "
